@@ -8,13 +8,11 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.UnaryOperator;
 import javax.swing.AbstractAction;
-import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
-import javax.swing.ScrollPaneConstants;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.world.Vector3;
@@ -28,8 +26,9 @@ import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.form.Measure;
 import org.pendant.kit.form.Measures;
-import org.pendant.kit.layout.CardSheet;
+import org.pendant.kit.layout.CardColumns;
 import org.pendant.kit.layout.SettledScroll;
+import org.pendant.kit.layout.WideContent;
 
 /** Cell view: the screen on which people put things around the arm. */
 public final class CellView implements View {
@@ -173,7 +172,7 @@ public final class CellView implements View {
               new LinksCard(draft),
               new WiringPage(draft, signalName),
               new JTabbedPane());
-      JPanel sheet = new CardSheet(GAP, WIDEST_CARD);
+      JPanel sheet = new WideContent(new CardColumns(GAP, WIDEST_CARD));
       sheet.add(made.objects.component());
       JPanel second =
           new JPanel(new MigLayout("insets 0, gap 0 " + GAP + ", wrap", "[grow, fill]"));
@@ -184,12 +183,7 @@ public final class CellView implements View {
       second.add(made.tool.component());
       second.add(made.links.component());
       sheet.add(second);
-      JScrollPane scroll =
-          new SettledScroll(
-              sheet,
-              ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
-              ScrollPaneConstants.HORIZONTAL_SCROLLBAR_AS_NEEDED);
-      scroll.setBorder(BorderFactory.createEmptyBorder());
+      JScrollPane scroll = new SettledScroll(sheet);
       scroll.setName("cell-scroll");
       content.add(made.bar.component(), BorderLayout.NORTH);
       made.pages.setName("cell-pages");

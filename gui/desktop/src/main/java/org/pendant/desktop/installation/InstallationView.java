@@ -21,7 +21,6 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
-import javax.swing.ScrollPaneConstants;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.state.ControllerState;
@@ -31,9 +30,9 @@ import org.pendant.desktop.unit.ShownMeasure;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
-import org.pendant.kit.layout.CardSheet;
 import org.pendant.kit.layout.SettledScroll;
 import org.pendant.kit.layout.TitledCard;
+import org.pendant.kit.layout.WideContent;
 import org.pendant.kit.theme.Palette;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
@@ -142,7 +141,7 @@ public final class InstallationView implements View {
             choose(chosen);
           }
         });
-    JScrollPane left = scroll(list);
+    JScrollPane left = new SettledScroll(list);
     left.setBorder(BorderFactory.createMatteBorder(0, 0, 0, 1, Palette.line()));
     JPanel middle =
         new JPanel(new MigLayout("insets 0, gap 0, fill", "[][grow, fill]", "[grow, fill]"));
@@ -165,28 +164,18 @@ public final class InstallationView implements View {
     }
     Page made = make(name);
     pages.put(name, made);
-    JPanel sheet = new CardSheet(GAP, WIDEST_CARD);
     // one card a page: they all have one width
-    sheet.setLayout(
-        new MigLayout(
-            "insets " + GAP,
-            "[grow, fill, :" + USUAL_CARD + ":" + WIDEST_CARD + "]",
-            made.fillsHeight() ? "[grow, fill]" : ""));
+    JPanel sheet =
+        new WideContent(
+            new MigLayout(
+                "insets " + GAP,
+                "[grow, fill, :" + USUAL_CARD + ":" + WIDEST_CARD + "]",
+                made.fillsHeight() ? "[grow, fill]" : ""));
     sheet.add(made.component());
-    JScrollPane scroll = scroll(sheet);
+    JScrollPane scroll = new SettledScroll(sheet);
     scroll.setName("installation-" + name.id());
     shown.add(scroll, name.id());
     return made;
-  }
-
-  private static JScrollPane scroll(JComponent inside) {
-    JScrollPane scroll =
-        new SettledScroll(
-            inside,
-            ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
-            ScrollPaneConstants.HORIZONTAL_SCROLLBAR_AS_NEEDED);
-    scroll.setBorder(BorderFactory.createEmptyBorder());
-    return scroll;
   }
 
   private void key(String keys, Runnable run) {

@@ -6,7 +6,6 @@ import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.util.ArrayList;
 import java.util.List;
-import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComponent;
@@ -14,7 +13,6 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextField;
-import javax.swing.ScrollPaneConstants;
 import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.io.AnalogBank;
@@ -26,10 +24,11 @@ import org.pendant.desktop.unit.FormMemory;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
-import org.pendant.kit.layout.CardSheet;
+import org.pendant.kit.layout.CardColumns;
 import org.pendant.kit.layout.SettledScroll;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
+import org.pendant.kit.layout.WideContent;
 import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.text.Messages;
 import org.pendant.kit.theme.Palette;
@@ -177,7 +176,7 @@ public final class IoView implements View {
   }
 
   private JPanel cards() {
-    JPanel cards = new CardSheet(GAP, WIDEST_CARD);
+    JPanel cards = new WideContent(new CardColumns(GAP, WIDEST_CARD));
     cards.add(devices.component());
     for (SignalBank bank :
         List.of(
@@ -242,12 +241,7 @@ public final class IoView implements View {
   }
 
   private static JScrollPane scroll(JPanel cards) {
-    JScrollPane scroll =
-        new SettledScroll(
-            cards,
-            ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
-            ScrollPaneConstants.HORIZONTAL_SCROLLBAR_AS_NEEDED);
-    scroll.setBorder(BorderFactory.createEmptyBorder());
+    JScrollPane scroll = new SettledScroll(cards);
     scroll.setName("io-scroll");
     return scroll;
   }

@@ -2,14 +2,13 @@ package org.pendant.desktop.move;
 
 import java.util.Map;
 import java.util.function.Consumer;
-import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
-import javax.swing.ScrollPaneConstants;
 import net.miginfocom.swing.MigLayout;
-import org.pendant.kit.layout.CardSheet;
+import org.pendant.kit.layout.CardColumns;
 import org.pendant.kit.layout.SettledScroll;
+import org.pendant.kit.layout.WideContent;
 import org.pendant.models.pose.Pose;
 
 /** Move cards: everything that people see and touch on the Move screen. */
@@ -58,16 +57,11 @@ final class MoveCards {
 
   /** The cards, which scroll. */
   JScrollPane sheet() {
-    JPanel sheet = new CardSheet(GAP, WIDEST_CARD);
+    JPanel sheet = new WideContent(new CardColumns(GAP, WIDEST_CARD));
     sheet.add(stack(jog.component(), joints.component()));
     sheet.add(stack(pose.component(), frame.component(), home.component()));
     sheet.add(stack(freedrive.component(), tcp.component(), payload.component()));
-    JScrollPane scroll =
-        new SettledScroll(
-            sheet,
-            ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
-            ScrollPaneConstants.HORIZONTAL_SCROLLBAR_AS_NEEDED);
-    scroll.setBorder(BorderFactory.createEmptyBorder());
+    JScrollPane scroll = new SettledScroll(sheet);
     scroll.setName("move-scroll");
     return scroll;
   }

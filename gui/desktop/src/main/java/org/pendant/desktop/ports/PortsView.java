@@ -60,7 +60,6 @@ public final class PortsView implements View {
     sheet.add(top(workbench), BorderLayout.NORTH);
     sheet.add(table(), BorderLayout.CENTER);
     JScrollPane scroll = new SettledScroll(sheet);
-    scroll.setBorder(BorderFactory.createEmptyBorder());
     content.add(scroll);
     workbench
         .actions()

@@ -30,18 +30,18 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JSpinner;
 import javax.swing.JTextField;
-import javax.swing.ScrollPaneConstants;
 import javax.swing.SpinnerNumberModel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.export.SaveDialog;
 import org.pendant.kit.export.SaveRequest;
 import org.pendant.kit.form.EntryField;
 import org.pendant.kit.form.Remark;
-import org.pendant.kit.layout.CardSheet;
+import org.pendant.kit.layout.CardColumns;
 import org.pendant.kit.layout.SettledScroll;
 import org.pendant.kit.layout.ShownFocus;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
+import org.pendant.kit.layout.WideContent;
 import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Palette;
 import org.pendant.sweep.Sweep;
@@ -86,7 +86,7 @@ final class PlanPanel extends JPanel {
   private final JButton resume = button("resume", text("resume"), text("goesOnBehindTheRowsThat"));
   private final JButton save =
       button("save", text("savePlan"), text("savesThePlanWithoutRunningIt"));
-  private final CardSheet sheet = new CardSheet(GAP, REST_WIDTH);
+  private final WideContent sheet = new WideContent(new CardColumns(GAP, REST_WIDTH));
   private final JPanel rest =
       new JPanel(new MigLayout("insets 0, gap 10 10, wrap", "[grow, fill]"));
   private final JComponent parameters;
@@ -105,12 +105,7 @@ final class PlanPanel extends JPanel {
     rest.add(variantsCard());
     rest.add(runCard());
     rest.add(programCard());
-    JScrollPane scroll =
-        new SettledScroll(
-            sheet,
-            ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
-            ScrollPaneConstants.HORIZONTAL_SCROLLBAR_AS_NEEDED);
-    scroll.setBorder(BorderFactory.createEmptyBorder());
+    JScrollPane scroll = new SettledScroll(sheet);
     scroll.getVerticalScrollBar().setUnitIncrement(16);
     scroll
         .getViewport()

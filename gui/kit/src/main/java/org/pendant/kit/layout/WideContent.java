@@ -1,6 +1,5 @@
 package org.pendant.kit.layout;
 
-import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
 import java.awt.LayoutManager;
 import java.awt.Rectangle;
@@ -13,8 +12,6 @@ import javax.swing.Scrollable;
  */
 @SuppressWarnings("serial") // never written to a stream
 public final class WideContent extends JPanel implements Scrollable {
-  private static final int STEP = 24;
-
   /** Without anything in it yet. */
   public WideContent(LayoutManager layout) {
     super(layout);
@@ -27,7 +24,7 @@ public final class WideContent extends JPanel implements Scrollable {
 
   @Override
   public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
-    return UIScale.scale(STEP);
+    return 2 * getFontMetrics(getFont()).getHeight();
   }
 
   @Override

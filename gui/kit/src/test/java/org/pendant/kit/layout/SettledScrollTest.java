@@ -24,7 +24,7 @@ final class SettledScrollTest {
           card.add(text, "growx, width 0:10:");
           below.setPreferredSize(new Dimension(330, 20));
           card.add(below);
-          CardSheet sheet = new CardSheet(8, 500);
+          WideContent sheet = new WideContent(new CardColumns(8, 500));
           sheet.add(card);
           SettledScroll scroll = new SettledScroll(sheet);
           scroll.setSize(420, 400);

@@ -10,7 +10,6 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
-import javax.swing.BorderFactory;
 import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -106,7 +105,6 @@ public final class RunView implements View {
         .getFirst()
         .reserve(Arrays.stream(ProgramPhase.values()).map(ProgramPhase::runWord).toList());
     buttonRow = new ActionButtons(buttons);
-    scroll.setBorder(BorderFactory.createEmptyBorder());
     scroll.setName("run-view");
     scroll.getAccessibleContext().setAccessibleName(title());
     content.add(stop.component(), "spanx, growx, wmin 0");
