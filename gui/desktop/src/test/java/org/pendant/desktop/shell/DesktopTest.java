@@ -9,12 +9,17 @@ import java.awt.Container;
 import java.awt.EventQueue;
 import java.awt.Frame;
 import java.awt.GraphicsEnvironment;
+import java.awt.Rectangle;
 import java.awt.Window;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import java.awt.event.WindowEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import javax.swing.AbstractButton;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -41,10 +46,10 @@ final class DesktopTest {
               assertTrue(find(frame, name).orElseThrow().isShowing(), name);
             }
             ((AbstractButton) find(frame, "rail-log").orElseThrow()).doClick();
-            frame.setBounds(0, 0, 1024, 700);
-            frame.dispatchEvent(
-                new java.awt.event.WindowEvent(frame, java.awt.event.WindowEvent.WINDOW_CLOSING));
           });
+      place(frame, new Rectangle(0, 0, 1024, 700));
+      EventQueue.invokeAndWait(
+          () -> frame.dispatchEvent(new WindowEvent(frame, WindowEvent.WINDOW_CLOSING)));
       desktop.awaitClosed();
       String settings = Files.readString(folder.resolve("settings.txt"));
       assertTrue(settings.contains("dock.screen = log"), settings);
@@ -64,6 +69,35 @@ final class DesktopTest {
           return each;
         }
       }
+    }
+  }
+
+  /**
+   * Moves a window. The display tells a moment after it has shown one where that is, and a window
+   * that was moved meanwhile is there again for what asks it: it is moved until the display says
+   * so.
+   */
+  private static void place(Frame frame, Rectangle wanted) throws Exception {
+    AtomicBoolean there = new AtomicBoolean();
+    frame.addComponentListener(
+        new ComponentAdapter() {
+          @Override
+          public void componentResized(ComponentEvent event) {
+            there.set(frame.getBounds().equals(wanted));
+          }
+
+          @Override
+          public void componentMoved(ComponentEvent event) {
+            there.set(frame.getBounds().equals(wanted));
+          }
+        });
+    while (!there.get()) {
+      EventQueue.invokeAndWait(
+          () -> {
+            if (!frame.getBounds().equals(wanted)) {
+              frame.setBounds(wanted);
+            }
+          });
     }
   }
 
