@@ -12,20 +12,20 @@ import java.util.List;
 import java.util.spi.ToolProvider;
 
 /**
- * Format check: checks that every Java source below the working directory is formatted by
+ * Source format: checks that every Java source below the working directory is formatted by
  * google-java-format, or formats them. The root pom runs it on the project's JDK with the formatter
  * on the class path.
  *
  * <p>A successful run leaves {@code target/format/stamp}; the next looks only at files changed
  * since, so a build with nothing changed pays for one JVM start.
  */
-final class Formatting {
+final class SourceFormat {
   private static final Path STAMP = Path.of("target", "format", "stamp");
 
   /** There while some source is not formatted; the root pom fails the build on it. */
   private static final Path UNFORMATTED = Path.of("target", "format", "unformatted");
 
-  private Formatting() {}
+  private SourceFormat() {}
 
   public static void main(String[] arguments) throws IOException {
     String task = arguments.length == 1 ? arguments[0] : "";
