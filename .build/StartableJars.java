@@ -24,6 +24,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.jar.Attributes;
@@ -33,6 +34,7 @@ import java.util.jar.JarFile;
 import java.util.jar.JarOutputStream;
 import java.util.jar.Manifest;
 import java.util.stream.Stream;
+import java.util.zip.CRC32;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
 import java.util.zip.ZipOutputStream;
@@ -47,7 +49,8 @@ import java.util.zip.ZipOutputStream;
  * are read at each start, and most of what they tell is for OSGi. {@code pendant.jar} becomes a
  * start jar that has nothing but a class path, with the jar of the arms first and what it had
  * itself second: jars are opened in that order until a file is found, and the arms are what a run
- * reads.
+ * reads. The files of texts that the window and commands speak become {@linkplain TextClasses
+ * classes}, which the cache can hold, and fonts lie in their jars as they are.
  */
 final class StartableJars {
   private static final String OURS = "org/pendant/";
@@ -79,8 +82,10 @@ final class StartableJars {
   private record Selector(String name, MethodTypeDesc type, List<ClassDesc> types) {}
 
   private final ClassFile files;
+  private final TextClasses texts;
 
-  private StartableJars(ClassLoader classes) {
+  private StartableJars(ClassLoader classes, TextClasses texts) {
+    this.texts = texts;
     files =
         ClassFile.of(
             ClassHierarchyResolverOption.of(
@@ -94,8 +99,12 @@ final class StartableJars {
       jars = all.filter(file -> file.toString().endsWith(".jar")).sorted().toList();
     }
     URL[] urls = jars.stream().map(StartableJars::url).toArray(URL[]::new);
+    TextClasses texts = new TextClasses();
+    for (Path jar : jars) {
+      gatherTexts(jar, texts);
+    }
     try (URLClassLoader classes = new URLClassLoader(urls)) {
-      StartableJars rewriting = new StartableJars(classes);
+      StartableJars rewriting = new StartableJars(classes, texts);
       for (Path jar : jars) {
         rewriting.rewrite(jar);
       }
@@ -103,6 +112,17 @@ final class StartableJars {
     Path start = Path.of(folder[0], "pendant.jar");
     if (Files.exists(start)) {
       makeStartJar(start);
+    }
+  }
+
+  private static void gatherTexts(Path jar, TextClasses texts) throws IOException {
+    try (ZipFile in = new ZipFile(jar.toFile())) {
+      for (ZipEntry entry :
+          (Iterable<ZipEntry>) in.stream().<ZipEntry>map(each -> each)::iterator) {
+        if (TextClasses.isBundle(entry.getName())) {
+          texts.add(entry.getName(), in.getInputStream(entry));
+        }
+      }
     }
   }
 
@@ -173,20 +193,42 @@ final class StartableJars {
       try (OutputStream file = Files.newOutputStream(rewritten);
           ZipOutputStream out = new ZipOutputStream(file)) {
         for (ZipEntry entry : entries) {
-          if (!isSignature(entry)) {
+          if (entry.getName().equals(TextClasses.ENTRY)) {
+            for (Map.Entry<String, byte[]> type : texts.classes().entrySet()) {
+              write(type.getKey(), entry.getTime(), type.getValue(), out);
+            }
+          } else if (!isSignature(entry) && !TextClasses.isBundle(entry.getName())) {
             byte[] content = in.getInputStream(entry).readAllBytes();
-            ZipEntry copy = new ZipEntry(entry.getName());
-            copy.setTime(entry.getTime());
-            out.putNextEntry(copy);
-            out.write(
+            byte[] written =
                 isOurs(entry)
                     ? rewritten(content)
-                    : isManifest(entry) ? shortened(content) : content);
+                    : isManifest(entry) ? shortened(content) : content;
+            write(entry.getName(), entry.getTime(), written, out);
           }
         }
       }
     }
     Files.move(rewritten, jar, StandardCopyOption.REPLACE_EXISTING);
+  }
+
+  private static void write(String name, long time, byte[] content, ZipOutputStream out)
+      throws IOException {
+    ZipEntry entry = new ZipEntry(name);
+    entry.setTime(time);
+    if (isFont(name)) {
+      CRC32 sum = new CRC32();
+      sum.update(content);
+      entry.setMethod(ZipEntry.STORED);
+      entry.setSize(content.length);
+      entry.setCrc(sum.getValue());
+    }
+    out.putNextEntry(entry);
+    out.write(content);
+  }
+
+  /** What takes longer to unpack than to read: a start loads ten of half a megabyte. */
+  private static boolean isFont(String name) {
+    return name.endsWith(".otf") || name.endsWith(".ttf");
   }
 
   private static boolean isOurs(ZipEntry entry) {

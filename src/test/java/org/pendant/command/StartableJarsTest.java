@@ -1,5 +1,6 @@
 package org.pendant.command;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static java.util.stream.Collectors.joining;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -23,11 +24,13 @@ import java.util.jar.JarFile;
 import java.util.jar.JarOutputStream;
 import java.util.jar.Manifest;
 import java.util.stream.Stream;
+import java.util.zip.ZipEntry;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.pendant.text.Texts;
 
 /** What the launcher makes of the jars that were built. */
 @Tag("slow") // compiles the rewriting, which is a source of the build
@@ -37,10 +40,16 @@ class StartableJarsTest {
 
   @BeforeAll
   static void compile() {
-    Path source = Path.of(System.getProperty("pendant.home"), ".build", "StartableJars.java");
+    Path build = Path.of(System.getProperty("pendant.home"), ".build");
+    String[] options = {"-proc:none", "-d", tool.toString(), "-sourcepath", build.toString()};
+    String source = build.resolve("StartableJars.java").toString();
     int code =
         ToolProvider.getSystemJavaCompiler()
-            .run(null, null, null, "-proc:none", "-d", tool.toString(), source.toString());
+            .run(
+                null,
+                null,
+                null,
+                Stream.concat(Stream.of(options), Stream.of(source)).toArray(String[]::new));
     assertEquals(0, code);
   }
 
@@ -132,6 +141,63 @@ class StartableJarsTest {
   }
 
   @Test
+  void textsOfAllJarsAreInClassesAndTheirFilesAreGone() throws Exception {
+    String type = "org/pendant/text/CompiledTexts.class";
+    write("text.jar", Map.of(type, Texts.class.getResourceAsStream("/" + type).readAllBytes()));
+    write(
+        "other.jar",
+        Map.of(
+            "texts/some.log.properties",
+                bytes("stopped = stopped at {0}\nb = \nlong = " + "x".repeat(9000)),
+            "texts/some.log_de.properties", bytes("stopped = gestoppt bei {0}, größer"),
+            "texts/bundles.txt", bytes("some.log")));
+    // two names with one hash code
+    write(
+        "AaAa.jar",
+        Map.of("texts/AaBB.properties", bytes("k = 1"), "texts/BBAa.properties", bytes("k = 2")));
+
+    rewrite(folder.resolve("text.jar"));
+
+    try (URLClassLoader rewritten =
+        new URLClassLoader(new URL[] {folder.resolve("text.jar").toUri().toURL()}, null)) {
+      Method find =
+          rewritten
+              .loadClass("org.pendant.text.CompiledTexts")
+              .getDeclaredMethod("of", String.class);
+      find.setAccessible(true);
+      assertEquals(
+          List.of("b", "", "long", "x".repeat(9000), "stopped", "stopped at {0}"),
+          List.of((Object[]) find.invoke(null, "some.log")));
+      assertEquals(
+          List.of("stopped", "gestoppt bei {0}, größer"),
+          List.of((Object[]) find.invoke(null, "some.log_de")));
+      assertEquals(List.of("k", "1"), List.of((Object[]) find.invoke(null, "AaBB")));
+      assertEquals(List.of("k", "2"), List.of((Object[]) find.invoke(null, "BBAa")));
+      assertEquals(List.of(), List.of((Object[]) find.invoke(null, "some.log_zh")));
+    }
+    try (JarFile jar = new JarFile(folder.resolve("other.jar").toFile())) {
+      assertEquals(List.of("texts/bundles.txt"), jar.stream().map(JarEntry::getName).toList());
+    }
+  }
+
+  @Test
+  void fontsLieInJarsAsTheyAre() throws Exception {
+    write(
+        "fonts.jar",
+        Map.of("Some.otf", bytes("a".repeat(1000)), "some.txt", bytes("a".repeat(1000))));
+
+    rewrite(folder.resolve("fonts.jar"));
+
+    try (JarFile jar = new JarFile(folder.resolve("fonts.jar").toFile())) {
+      assertEquals(ZipEntry.STORED, jar.getEntry("Some.otf").getMethod());
+      assertEquals(ZipEntry.DEFLATED, jar.getEntry("some.txt").getMethod());
+      assertEquals(
+          "a".repeat(1000),
+          new String(jar.getInputStream(jar.getEntry("Some.otf")).readAllBytes(), UTF_8));
+    }
+  }
+
+  @Test
   void signaturesAreTakenOutOfJars() throws Exception {
     rewrite(jar("META-INF/SIGNER.SF", "META-INF/SIGNER.RSA", "META-INF/NOTICE"));
     try (JarFile jar = new JarFile(folder.resolve("some.jar").toFile())) {
@@ -210,6 +276,19 @@ class StartableJarsTest {
     return element instanceof InvokeDynamicInstruction call
         && !call.name().equalsString("toString")
         && !call.bootstrapMethod().owner().displayName().equals("StringConcatFactory");
+  }
+
+  private void write(String jar, Map<String, byte[]> entries) throws Exception {
+    try (JarOutputStream out = new JarOutputStream(Files.newOutputStream(folder.resolve(jar)))) {
+      for (Map.Entry<String, byte[]> each : entries.entrySet()) {
+        out.putNextEntry(new JarEntry(each.getKey()));
+        out.write(each.getValue());
+      }
+    }
+  }
+
+  private static byte[] bytes(String text) {
+    return text.getBytes(UTF_8);
   }
 
   private Path jar(String... others) throws Exception {

@@ -6,8 +6,11 @@ import java.io.InputStreamReader;
 import java.io.Reader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.MissingResourceException;
 import java.util.Properties;
+import java.util.function.Function;
 import java.util.function.UnaryOperator;
 
 /**
@@ -25,10 +28,10 @@ public final class Texts {
   private static final String ROOT = "org.pendant.";
 
   private final String name;
-  private final Properties texts;
+  private final Map<String, String> texts;
   private final UnaryOperator<String> translate;
 
-  private Texts(String name, Properties texts, UnaryOperator<String> translate) {
+  private Texts(String name, Map<String, String> texts, UnaryOperator<String> translate) {
     this.name = name;
     this.texts = texts;
     this.translate = translate;
@@ -87,7 +90,7 @@ public final class Texts {
 
   private static Texts of(
       String name, Class<?> owner, Language language, UnaryOperator<String> translate) {
-    Properties texts = new Properties();
+    Map<String, String> texts = new HashMap<>();
     if (!read(owner, name, texts)) {
       throw new MissingResourceException("no texts of " + name, owner.getName(), "");
     }
@@ -97,26 +100,38 @@ public final class Texts {
     return new Texts(name, texts, translate);
   }
 
-  private static boolean read(Class<?> owner, String name, Properties into) {
-    return read(name, owner.getResourceAsStream("/texts/" + name + ".properties"), into);
+  private static boolean read(Class<?> owner, String name, Map<String, String> into) {
+    return read(name, file -> owner.getResourceAsStream('/' + file), into);
   }
 
   /**
-   * Reads a bundle, and closes its file.
+   * Reads a bundle.
    *
-   * @param file null if there is none
-   * @return whether there is one
+   * @param files opens one by its name, or has null for one that is not there
+   * @return whether there is such a bundle
    */
-  static boolean read(String name, InputStream file, Properties into) {
+  static boolean read(String name, Function<String, InputStream> files, Map<String, String> into) {
+    String[] compiled = CompiledTexts.of(name);
+    for (int i = 0; i < compiled.length; i += 2) {
+      into.put(compiled[i], compiled[i + 1]);
+    }
+    return compiled.length > 0 || readFile(name, files, into);
+  }
+
+  private static boolean readFile(
+      String name, Function<String, InputStream> files, Map<String, String> into) {
+    InputStream file = files.apply("texts/" + name + ".properties");
     if (file == null) {
       return false;
     }
+    Properties texts = new Properties();
     try (Reader text = new InputStreamReader(file, StandardCharsets.UTF_8)) {
-      into.load(text);
-      return true;
+      texts.load(text);
     } catch (IOException e) {
       throw new UncheckedIOException("cannot read the texts of " + name, e);
     }
+    texts.stringPropertyNames().forEach(key -> into.put(key, texts.getProperty(key)));
+    return true;
   }
 
   /**
@@ -126,7 +141,7 @@ public final class Texts {
    * @throws MissingResourceException if there is none
    */
   public String get(String key, Object... values) {
-    String text = texts.getProperty(key);
+    String text = texts.get(key);
     if (text == null) {
       throw new MissingResourceException("no text " + key + " of " + name, name, key);
     }

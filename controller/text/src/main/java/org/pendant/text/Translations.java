@@ -7,7 +7,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Properties;
 import java.util.regex.Pattern;
 
 /**
@@ -59,11 +58,11 @@ public final class Translations {
     List<Translated> filled = new ArrayList<>();
     if (language != Language.ENGLISH) {
       for (String bundle : bundles) {
-        Properties english = read(loader, bundle);
-        Properties translated = read(loader, bundle + "_" + language.code());
-        for (String key : english.stringPropertyNames().stream().sorted().toList()) {
-          String text = english.getProperty(key);
-          String translation = translated.getProperty(key, text);
+        Map<String, String> english = read(loader, bundle);
+        Map<String, String> translated = read(loader, bundle + "_" + language.code());
+        for (String key : english.keySet().stream().sorted().toList()) {
+          String text = english.get(key);
+          String translation = translated.getOrDefault(key, text);
           Template template = Template.of(text);
           if (template.places().isEmpty()) {
             plain.putIfAbsent(text, translation);
@@ -77,9 +76,9 @@ public final class Translations {
     return new Translations(plain, filled);
   }
 
-  private static Properties read(ClassLoader loader, String bundle) {
-    Properties texts = new Properties();
-    Texts.read(bundle, loader.getResourceAsStream("texts/" + bundle + ".properties"), texts);
+  private static Map<String, String> read(ClassLoader loader, String bundle) {
+    Map<String, String> texts = new HashMap<>();
+    Texts.read(bundle, loader::getResourceAsStream, texts);
     return texts;
   }
 

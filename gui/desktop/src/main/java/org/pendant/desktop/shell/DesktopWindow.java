@@ -388,15 +388,25 @@ final class DesktopWindow {
 
   /** Shows the window. */
   void open() {
-    showProgram();
-    header.showRobot(session.options().robotId());
-    refresh();
+    fill();
     typing.start();
     window.frame().setVisible(true);
     docks.mainView().ifPresent(docks::show);
     docks.raiseWindows();
     refresh.start();
     keep.start();
+    lookAround();
+  }
+
+  /** Shows the program and the robot that there are at first. */
+  void fill() {
+    showProgram();
+    header.showRobot(session.options().robotId());
+    refresh();
+  }
+
+  /** Looks what an earlier window has left and what others have open, and tells. */
+  void lookAround() {
     views.keeper().notice().ifPresent(this::warn);
     autosave.offerLeftBehind();
     programs.addListener(others::look);

@@ -150,10 +150,10 @@ final class MenuPlan {
   }
 
   private static boolean fits(String id, String begin) {
-    return begin.isEmpty()
-        || id.equals(begin)
-        || id.startsWith(begin + ".")
-        || id.startsWith(begin + "-");
+    int end = begin.length();
+    return end == 0
+        || (id.startsWith(begin)
+            && (id.length() == end || id.charAt(end) == '.' || id.charAt(end) == '-'));
   }
 
   private static List<Entry> file() {

@@ -5,12 +5,14 @@ import java.awt.image.VolatileImage;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import javax.swing.JFrame;
+import javax.swing.JWindow;
 import javax.swing.Timer;
 import org.pendant.kit.fault.Faults;
 
 /**
  * Training window: uses a window that is never shown: its views are made, filled and drawn, and a
- * program runs. Only the dispatch thread calls it.
+ * program runs. Only the dispatch thread calls it. What takes a window on the display is trained
+ * with one of a single point, which nobody sees.
  */
 final class TrainingWindow {
   private static final int TURN_MS = 33;
@@ -19,6 +21,7 @@ final class TrainingWindow {
 
   private final DesktopWindow window;
   private final VolatileImage picture;
+  private final JWindow point = new JWindow();
 
   /** What is still to be done, one of it a turn. */
   private final Deque<Runnable> steps = new ArrayDeque<>();
@@ -32,10 +35,15 @@ final class TrainingWindow {
     frame.addNotify();
     // what the display itself draws on takes other classes than a picture in memory
     picture = frame.createVolatileImage(WIDTH, HEIGHT);
+    point.setFocusableWindowState(false);
+    point.setSize(1, 1);
   }
 
   /** Begins; the window is closed at the end. */
   void begin() {
+    steps.add(() -> point.setVisible(true));
+    steps.add(window::fill);
+    steps.add(window::lookAround);
     steps.add(() -> window.perform("program.run"));
     for (String view : window.views()) {
       steps.add(() -> window.show(view));
@@ -49,6 +57,7 @@ final class TrainingWindow {
   private void turn() {
     if (steps.isEmpty()) {
       turns.stop();
+      point.dispose();
       window.dispose();
       return;
     }

@@ -7,6 +7,7 @@ import com.formdev.flatlaf.fonts.inter.FlatInterFont;
 import com.formdev.flatlaf.fonts.jetbrains_mono.FlatJetBrainsMonoFont;
 import com.formdev.flatlaf.util.FontUtils;
 import com.formdev.flatlaf.util.UIScale;
+import java.awt.EventQueue;
 import java.awt.Window;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -34,7 +35,8 @@ public final class Look {
   private final Settings settings;
   private final List<Runnable> listeners = new ArrayList<>();
   private final LateComponents late = new LateComponents();
-  private Optional<CompletableFuture<Void>> scriptFont = Optional.empty();
+  private Optional<CompletableFuture<Void>> textFont = Optional.empty();
+  private Optional<CompletableFuture<Void>> otherFonts = Optional.empty();
   private boolean systemDark;
 
   /** The look that was chosen last. */
@@ -44,35 +46,50 @@ public final class Look {
   }
 
   /**
-   * Begins to load the font of scripts on a thread of its own; what {@link #install} does besides
-   * takes as long.
+   * Begins to load fonts on a thread of its own: that of texts, which {@link #install} waits for
+   * first, and those of headings and scripts, since what it does besides takes as long.
    */
   public void loadFonts() {
-    scriptFont =
+    CompletableFuture<Void> texts =
+        CompletableFuture.runAsync(
+            FlatInterFont::installBasic,
+            loading -> Thread.ofPlatform().daemon().name("fonts").start(loading));
+    textFont = Optional.of(texts);
+    otherFonts =
         Optional.of(
-            CompletableFuture.runAsync(
-                FlatJetBrainsMonoFont::install,
-                loading -> Thread.ofPlatform().daemon().name("fonts").start(loading)));
+            texts.thenRun(
+                () -> {
+                  FlatInterFont.installSemiBold();
+                  FlatJetBrainsMonoFont.install();
+                }));
   }
 
   /** Sets fonts and colours up, before any component is made. */
   public void install() {
-    FlatInterFont.installLazy();
-    if (scriptFont.isEmpty()) {
-      FlatJetBrainsMonoFont.installLazy();
+    if (textFont.isEmpty()) {
+      loadFontsWhenUsed();
+    } else {
+      FontUtils.registerFontFamilyLoader(FlatInterFont.FAMILY_LIGHT, FlatInterFont::installLight);
     }
+    // a font made before its family is loaded would keep the widths of another one
+    textFont.ifPresent(CompletableFuture::join);
     FlatLaf.setPreferredFontFamily(FlatInterFont.FAMILY);
     FlatLaf.setPreferredLightFontFamily(FlatInterFont.FAMILY_LIGHT);
     FlatLaf.setPreferredSemiboldFontFamily(FlatInterFont.FAMILY_SEMIBOLD);
     FlatLaf.setPreferredMonospacedFontFamily(FlatJetBrainsMonoFont.FAMILY);
     apply();
-    // a font of this family made before it is loaded would keep the widths of another one
-    scriptFont.ifPresent(CompletableFuture::join);
+    otherFonts.ifPresent(CompletableFuture::join);
     FontUtils.loadFontFamily(FlatJetBrainsMonoFont.FAMILY);
     UIScale.setSupportedZoomFactors(factors());
     UIScale.setZoomFactor(zoomPercent() / 100f);
     UncoveredEdges.follow();
-    SubmenuKeys.install();
+    // nobody has a menu open before the first window is there
+    EventQueue.invokeLater(SubmenuKeys::install);
+  }
+
+  private static void loadFontsWhenUsed() {
+    FlatInterFont.installLazy();
+    FlatJetBrainsMonoFont.installLazy();
   }
 
   private static float[] factors() {
