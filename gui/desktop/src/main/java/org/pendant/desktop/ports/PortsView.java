@@ -3,6 +3,7 @@ package org.pendant.desktop.ports;
 import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Dimension;
+import java.awt.Rectangle;
 import java.awt.event.MouseEvent;
 import java.nio.file.Path;
 import java.util.EnumMap;
@@ -97,6 +98,10 @@ public final class PortsView implements View {
             setBorder(BorderFactory.createEmptyBorder());
             setOpaque(false);
           }
+
+          /** New words are no reason to scroll. */
+          @Override
+          public void scrollRectToVisible(Rectangle wanted) {}
         };
     text.setName(name);
     text.getAccessibleContext().setAccessibleName(meaning);

@@ -4,9 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.EventQueue;
+import java.awt.Point;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.JTable;
+import javax.swing.JTextArea;
+import javax.swing.JViewport;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -37,6 +41,27 @@ final class PortsViewTest {
             layOut(view, 1200);
             int end = SwingUtilities.convertPoint(table, 0, table.getHeight(), view.component()).y;
             assertTrue(end > 1150 && end <= 1200, () -> "the table ends at " + end);
+          });
+    }
+  }
+
+  @Test
+  void whatIsSaidOfPortsDoesNotScrollTheSwitchOutOfALowPanel() throws Exception {
+    try (RobotSession session = RobotSession.start(ControllerOptions.headless())) {
+      DesktopPorts ports = new DesktopPorts(session, folder, visit -> {});
+      AtomicReference<JTextArea> summary = new AtomicReference<>();
+      EventQueue.invokeAndWait(
+          () -> {
+            PortsView view = new PortsView(new PreviewWorkbench(), ports);
+            layOut(view, 100);
+            summary.set((JTextArea) Parts.named(view.component(), "ports-summary"));
+            summary.get().setText("Closed. Open them, and others reach this controller.");
+          });
+      EventQueue.invokeAndWait(
+          () -> {
+            JViewport seen =
+                (JViewport) SwingUtilities.getAncestorOfClass(JViewport.class, summary.get());
+            assertEquals(new Point(0, 0), seen.getViewPosition());
           });
     }
   }
