@@ -60,7 +60,8 @@ final class PackagedRuntimeTest {
             HOME,
             5,
             (file, _) ->
-                file.endsWith("target/classes/org") && !file.startsWith(HOME.resolve("gui/spark")))) {
+                file.endsWith("target/classes/org")
+                    && !file.startsWith(HOME.resolve("gui/spark")))) {
       return files.sorted().toList();
     }
   }
