@@ -194,6 +194,17 @@ final class PastViews {
     return !lookBack.ofFile() && lookBack.program().equals(last);
   }
 
+  /** Whether the program that ran at a time is the one that was started last. */
+  boolean ofLastRun(double timeS) {
+    Optional<RecordedProgram> last = recording().programs().stream().reduce((first, next) -> next);
+    return !lookBack.ofFile() && recording().programAt(timeS).equals(last);
+  }
+
+  /** The open program that ran at a time. */
+  Optional<ProgramDocument> programAt(double timeS) {
+    return recording().programAt(timeS).flatMap(this::open);
+  }
+
   /** A view in which people act on the robot, which they cannot in the past. */
   View held(View view) {
     return new HeldView(view, lookBack, workbench::notify);

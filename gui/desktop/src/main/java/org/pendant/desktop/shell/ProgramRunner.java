@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BiConsumer;
+import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import org.pendant.controller.DebugCommand;
 import org.pendant.controller.ProgramCommand;
@@ -55,6 +56,8 @@ final class ProgramRunner {
   private Texts texts =
       (document, from) -> ProgramLaunch.of(RunScript.whole(document.script().source()));
   private Runnable stepOver = () -> {};
+  private BiFunction<ProgramDocument, Integer, String> places =
+      (document, line) -> text("line", line);
   private Runnable forgotten = () -> {};
   private final Drivers drivers = new Drivers(AllowedHosts.ANY, Optional.empty());
   private Optional<ScriptRequest> asked = Optional.empty();
@@ -124,6 +127,11 @@ final class ProgramRunner {
   /** Has {@code wanted} run a paused program to its next line. */
   void stepOverBy(Runnable wanted) {
     stepOver = wanted;
+  }
+
+  /** Calls lines of programs so in what is told. */
+  void nameLinesBy(BiFunction<ProgramDocument, Integer, String> names) {
+    places = names;
   }
 
   /** Whether a program is about to start: it is being compiled, or a driver is asked for a part. */
@@ -267,7 +275,7 @@ final class ProgramRunner {
         text(
             "cannotRunAt",
             assigned.document().name(),
-            script.lines().origin(runLine).orElse(text("line", line)),
+            script.lines().origin(runLine).orElseGet(() -> places.apply(assigned.document(), line)),
             count > 1 ? text("andMoreErrors", message, count - 1) : message));
     programs.select(assigned.document());
     showSource.show(line, source.column(start));

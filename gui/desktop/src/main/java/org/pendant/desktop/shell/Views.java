@@ -154,7 +154,14 @@ final class Views {
             });
     past.setRunPlaces(runPlaces);
     debug.nameLinesBy(names::started);
-    past.timeline().setPins(strip::profile, new ProfilePins(strip, names)::of);
+    past.timeline().setPins(strip::profile, new ProfilePins(strip, names, past::programAt)::of);
+    past.timeline()
+        .nameLinesBy(
+            (timeS, line) ->
+                past.ofLastRun(timeS)
+                    ? names.started(line)
+                    : names.of(past.programAt(timeS), line));
+    runner.nameLinesBy((document, line) -> names.of(Optional.of(document), line));
     scene.onNode(program::choose);
     scene.onMoment(past::explain);
     scene.onLine(line -> showTraced(workbench, programs, line));

@@ -41,6 +41,7 @@ final class TimelineCanvas extends JComponent implements Scrollable {
   private final TimelinePainter painter = new TimelinePainter();
   private final Pins pins;
   private Tracks tracks = Tracks.NONE;
+  private MomentPlaces places = (timeS, line) -> text("line", line);
   private Supplier<List<ClientMark>> clients = List::of;
   private LongConsumer chosen = number -> {};
 
@@ -124,6 +125,11 @@ final class TimelineCanvas extends JComponent implements Scrollable {
     lookBack.toMark(tracks.marks(), forward);
   }
 
+  /** Calls lines so. */
+  void nameLinesBy(MomentPlaces names) {
+    places = names;
+  }
+
   /** The worst moments of the last run. */
   Pins pins() {
     return pins;
@@ -203,7 +209,7 @@ final class TimelineCanvas extends JComponent implements Scrollable {
         .or(
             () ->
                 mark.map(each -> text("messageOfClient", LookBack.text(each.timeS()), each.text())))
-        .orElseGet(() -> tracks.about(timeS, near()));
+        .orElseGet(() -> tracks.about(timeS, near(), places));
   }
 
   @Override

@@ -131,6 +131,11 @@ public final class TimelineView implements View {
     canvas.pins().from(live, words);
   }
 
+  /** Calls lines of programs so in what is told of moments. */
+  public void nameLinesBy(MomentPlaces names) {
+    canvas.nameLinesBy(names);
+  }
+
   /**
    * Marks what clients of the ports did.
    *

@@ -82,8 +82,12 @@ record Tracks(
    */
   record Hit(double timeS, String words) {}
 
-  /** A warning of the log. */
-  record Warning(double timeS, String words) {}
+  /**
+   * A warning of the log.
+   *
+   * @param line of the program; 0 for none
+   */
+  record Warning(double timeS, String words, int line) {}
 
   /** A program from its start to its end. */
   record Run(double fromS, double toS, String name, boolean failed) {
@@ -156,16 +160,22 @@ record Tracks(
   }
 
   /** What there is at a time, in words. */
-  String about(double timeS, double nearS) {
+  String about(double timeS, double nearS, MomentPlaces places) {
     String about = LookBack.text(timeS);
     for (RecordingMark mark : marks) {
       if (Math.abs(mark.timeS() - timeS) <= nearS) {
-        return text("markAt", LookBack.text(mark.timeS()), words(mark));
+        return text(
+            "markAt",
+            LookBack.text(mark.timeS()),
+            at(words(mark), mark.timeS(), mark.line(), places));
       }
     }
     for (Warning warning : warnings) {
       if (Math.abs(warning.timeS - timeS) <= nearS) {
-        return text("warningAt", LookBack.text(warning.timeS), warning.words);
+        return text(
+            "warningAt",
+            LookBack.text(warning.timeS),
+            at(warning.words, warning.timeS, warning.line, places));
       }
     }
     for (Run run : runs) {
@@ -183,16 +193,18 @@ record Tracks(
 
   private static String words(RecordingMark mark) {
     String text = ByteText.decoded(mark.text());
-    String what =
-        switch (mark.kind()) {
-          case PROGRAM_STARTED -> text("programStarts", text);
-          case PROGRAM_ENDED -> text("programEnds", text);
-          case PROGRAM_FAILED -> text("theProgramFails", text);
-          case LABEL -> text;
-          case PROTECTIVE_STOP, SAFETY_STOP, ERROR -> Messages.shown(text);
-          case MESSAGE -> text("messageMark", text);
-        };
-    return mark.line() > 0 ? text("withLine", what, mark.line()) : what;
+    return switch (mark.kind()) {
+      case PROGRAM_STARTED -> text("programStarts", text);
+      case PROGRAM_ENDED -> text("programEnds", text);
+      case PROGRAM_FAILED -> text("theProgramFails", text);
+      case LABEL -> text;
+      case PROTECTIVE_STOP, SAFETY_STOP, ERROR -> Messages.shown(text);
+      case MESSAGE -> text("messageMark", text);
+    };
+  }
+
+  private static String at(String what, double timeS, int line, MomentPlaces places) {
+    return line > 0 ? text("withPlace", what, places.of(timeS, line)) : what;
   }
 
   /** The program that ran already when the recording begins. */
@@ -242,15 +254,14 @@ record Tracks(
     List<Warning> warnings =
         recording.log(Math.max(fromS, recording.firstS()), toS).stream()
             .filter(entry -> entry.level() == LogEntry.Level.WARNING && entry.timeS() >= fromS)
-            .map(entry -> new Warning(entry.timeS(), words(entry)))
+            .map(
+                entry ->
+                    new Warning(
+                        entry.timeS(),
+                        Messages.shown(ByteText.decoded(entry.text())),
+                        entry.place().map(ScriptPlace::line).orElse(0)))
             .toList();
     return warnings.subList(Math.max(0, warnings.size() - MAX_WARNINGS), warnings.size());
-  }
-
-  private static String words(LogEntry warning) {
-    String text = Messages.shown(ByteText.decoded(warning.text()));
-    int line = warning.place().map(ScriptPlace::line).orElse(0);
-    return line > 0 ? text("withLine", text, line) : text;
   }
 
   private static List<Bar> edges(

@@ -81,6 +81,20 @@ final class ProgramRunnerTest {
     }
   }
 
+  @Test
+  void aProgramThatDoesNotCompileNamesThePlaceAsPeopleKnowIt() throws Exception {
+    try (RobotSession session = RobotSession.start(ControllerOptions.headless())) {
+      ProgramDocument document = ProgramDocument.untitled("a.script", "sleep(1)\nx = = 2\n");
+      ProgramRunner runner =
+          new ProgramRunner(session, new Programs(document), told::add, (line, column) -> {});
+      runner.nameLinesBy((program, line) -> "node " + line + " of " + program.name());
+      EventQueue.invokeAndWait(runner::runOrResume);
+      await(runner);
+      assertTrue(
+          told.getFirst().startsWith("a.script cannot run, node 2 of a.script: "), told::toString);
+    }
+  }
+
   private static void await(ProgramRunner runner) throws Exception {
     AtomicBoolean loading = new AtomicBoolean(true);
     while (loading.get()) {

@@ -5,12 +5,16 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.pendant.recording.RecordingMark;
 import org.pendant.recording.RecordingMark.Kind;
 
 final class TracksTest {
+  private static final MomentPlaces NODES =
+      (timeS, line) -> String.format(Locale.ROOT, "node %d at %.1f s", line, timeS);
+
   private static RecordingMark mark(Kind kind, double timeS, String text) {
     return new RecordingMark(kind, Math.round(500 * timeS), timeS, text, 0);
   }
@@ -75,7 +79,9 @@ final class TracksTest {
     RecordedRun run = new RecordedRun().start("def p():\n  sleep(0.1)\nend\n").frames(50);
     Tracks tracks = Tracks.of(run.ring.recording(), new TimeRange(0, 0.1), 50, false, true);
     assertTrue(tracks.nearestM().orElseThrow().lowest(20) > 0.01);
-    assertTrue(tracks.about(0.05, 0).matches(".*p runs, nearest \\d+ mm"), tracks.about(0.05, 0));
+    assertTrue(
+        tracks.about(0.05, 0, NODES).matches(".*p runs, nearest \\d+ mm"),
+        tracks.about(0.05, 0, NODES));
   }
 
   @Test
@@ -86,10 +92,11 @@ final class TracksTest {
     Tracks.Warning warning = tracks.warnings().getFirst();
     assertEquals(
         LookBack.text(warning.timeS())
-            + ": warning: motion_version_set: ur5e has no motion version 99, it stays at 1 (line"
-            + " 2)",
-        tracks.about(warning.timeS() + 0.001, 0.002));
-    assertFalse(tracks.about(0.05, 0.002).contains("warning"), tracks.about(0.05, 0.002));
+            + ": warning: motion_version_set: ur5e has no motion version 99, it stays at 1 (node 2"
+            + " at 0.1 s)",
+        tracks.about(warning.timeS() + 0.001, 0.002, NODES));
+    assertFalse(
+        tracks.about(0.05, 0.002, NODES).contains("warning"), tracks.about(0.05, 0.002, NODES));
   }
 
   @Test
@@ -117,7 +124,7 @@ final class TracksTest {
     assertEquals("p", tracks.runs().getFirst().name());
     assertFalse(tracks.speedMPerS().isEmpty());
     assertTrue(tracks.nearestM().isEmpty());
-    assertTrue(tracks.about(0.05, 0).endsWith("p runs"), tracks.about(0.05, 0));
+    assertTrue(tracks.about(0.05, 0, NODES).endsWith("p runs"), tracks.about(0.05, 0, NODES));
   }
 
   @Test
@@ -134,8 +141,8 @@ final class TracksTest {
     assertEquals(1, tracks.startRamps().size(), tracks.startRamps()::toString);
     assertEquals(0.102, tracks.startRamps().getFirst().fromS(), 1e-9);
     assertEquals(0.262, tracks.startRamps().getFirst().toS(), 1e-9);
-    assertTrue(tracks.about(0.2, 0).contains("start ramp"), tracks.about(0.2, 0));
-    assertFalse(tracks.about(0.3, 0).contains("start ramp"), tracks.about(0.3, 0));
+    assertTrue(tracks.about(0.2, 0, NODES).contains("start ramp"), tracks.about(0.2, 0, NODES));
+    assertFalse(tracks.about(0.3, 0, NODES).contains("start ramp"), tracks.about(0.3, 0, NODES));
     Tracks without = Tracks.of(run.ring.recording(), new TimeRange(0, 1.2), 600, false, false);
     assertEquals(List.of(), without.startRamps());
   }
