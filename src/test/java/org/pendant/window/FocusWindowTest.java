@@ -133,6 +133,18 @@ final class FocusWindowTest {
   }
 
   @Test
+  void keysComeToTheContentOfAPanelWhoseTabIsChosenNotToItsFirstButton() {
+    window.press("control alt T");
+    window.awaitFocus("timeline-canvas");
+    window.choose("dock-tabs-bottom", "Breakpoints");
+    window.awaitShown("breakpoints");
+    window.awaitHidden("timeline-canvas");
+    window.choose("dock-tabs-bottom", "Timeline");
+    window.awaitFocus("timeline-canvas");
+    window.perform("Show the dock at the bottom");
+  }
+
+  @Test
   void anOpenedScriptIsShownWithTheKeysInIt() throws IOException {
     Path file = Files.writeString(folder.resolve("opened.script"), "one = 1\n");
     window.click("rail-log");

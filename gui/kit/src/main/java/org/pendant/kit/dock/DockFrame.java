@@ -112,7 +112,8 @@ public final class DockFrame {
     give(id);
   }
 
-  private void give(String id) {
+  /** Gives the focus to a view that is in sight. */
+  void give(String id) {
     Dockable view = views.get(id);
     if (view != null) {
       // A tab is not visible, and takes no focus, before it is laid out.

@@ -88,9 +88,21 @@ final class DockPane extends JPanel {
     tabs.addChangeListener(
         event -> {
           if (!filling && tabs.getSelectedIndex() >= 0) {
-            plan.select(plan.views(side).get(tabs.getSelectedIndex()));
+            String id = plan.views(side).get(tabs.getSelectedIndex());
+            plan.select(id);
+            keepKeys(id);
           }
         });
+  }
+
+  /**
+   * Keys that went to the view before go to the one that is chosen now, not to its first button,
+   * which a space would press. Who goes from tab to tab by keys stays on the tabs.
+   */
+  private void keepKeys(String id) {
+    if (ViewFocus.within(tabs) && !tabs.isFocusOwner()) {
+      frame.give(id);
+    }
   }
 
   /** The place of a tab that is dropped at {@code point}. */
