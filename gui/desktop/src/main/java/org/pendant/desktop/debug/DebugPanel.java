@@ -2,6 +2,7 @@ package org.pendant.desktop.debug;
 
 import java.awt.BorderLayout;
 import java.awt.CardLayout;
+import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -45,7 +46,7 @@ final class DebugPanel extends JPanel {
     text.setOpaque(false);
     text.setLineWrap(true);
     text.setWrapStyleWord(true);
-    text.setBorder(null);
+    text.setBorder(BorderFactory.createEmptyBorder());
     text.setFocusable(false);
     text.putClientProperty("FlatLaf.style", "font: $defaultFont");
     return text;

@@ -9,6 +9,7 @@ import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.List;
+import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JPanel;
@@ -66,7 +67,7 @@ final class CompletionPopup {
     list.addListSelectionListener(event -> describe());
     about.setVerticalAlignment(SwingConstants.TOP);
     JScrollPane scroll = new JScrollPane(list);
-    scroll.setBorder(null);
+    scroll.setBorder(BorderFactory.createEmptyBorder());
     scroll.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
     content.add(scroll, "grow");
     content.add(about, "growx, top, gap 10 10 8 8");

@@ -14,6 +14,7 @@ import java.util.SortedSet;
 import java.util.function.Consumer;
 import java.util.function.IntUnaryOperator;
 import java.util.function.Predicate;
+import javax.swing.BorderFactory;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import org.fife.ui.rsyntaxtextarea.ErrorStrip;
@@ -84,7 +85,7 @@ final class ProgramEditor extends JPanel implements LookFollower {
     area = new ScriptArea(colours, schedule::current, takenKeys);
     scroll = new RTextScrollPane(area, true);
     scroll.setFoldIndicatorEnabled(true);
-    scroll.setBorder(null);
+    scroll.setBorder(BorderFactory.createEmptyBorder());
     area.addParser(notices);
     link = new DocumentLink(area, script, colours, this::textChanged);
     marks =
@@ -407,7 +408,7 @@ final class ProgramEditor extends JPanel implements LookFollower {
   }
 
   private void applyTheme() {
-    scroll.setBorder(null);
+    scroll.setBorder(BorderFactory.createEmptyBorder());
     EditorTheme.apply(area, scroll);
     area.themeChanged();
     marks.refresh();

@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.IntConsumer;
 import javax.swing.AbstractAction;
+import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
@@ -163,7 +164,7 @@ public final class LogView implements View {
   private JSplitPane split() {
     JSplitPane split = new LogSplit(table.component(), detail.component());
     split.setName("log-split");
-    split.setBorder(null);
+    split.setBorder(BorderFactory.createEmptyBorder());
     split.getTopComponent().setMinimumSize(new Dimension(0, 0));
     return split;
   }

@@ -253,7 +253,7 @@ public final class ClientsView implements View {
     JSplitPane split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, top, bottom);
     split.setName(name);
     split.setResizeWeight(weight);
-    split.setBorder(null);
+    split.setBorder(BorderFactory.createEmptyBorder());
     top.setMinimumSize(UIScale.scale(new Dimension(0, 106)));
     bottom.setMinimumSize(UIScale.scale(new Dimension(0, 60)));
     return split;

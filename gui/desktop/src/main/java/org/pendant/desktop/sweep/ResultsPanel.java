@@ -128,7 +128,7 @@ final class ResultsPanel extends JPanel {
     plotted.add(axes, BorderLayout.NORTH);
     plotted.add(plot, BorderLayout.CENTER);
     split.setName("sweep-split");
-    split.setBorder(null);
+    split.setBorder(BorderFactory.createEmptyBorder());
     split.setLeftComponent(rows);
     split.setRightComponent(plotted);
     split.setResizeWeight(TABLE_SHARE);

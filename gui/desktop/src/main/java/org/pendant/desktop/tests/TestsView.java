@@ -227,7 +227,7 @@ public final class TestsView implements View {
     left.setBorder(BorderFactory.createEmptyBorder());
     right.setBorder(BorderFactory.createEmptyBorder());
     split.setName("tests-split");
-    split.setBorder(null);
+    split.setBorder(BorderFactory.createEmptyBorder());
     split.setLeftComponent(left);
     found.add(right);
     found.add(golden, BorderLayout.SOUTH);

@@ -32,7 +32,7 @@ final class MissingGraphics extends JPanel {
     text.setLineWrap(true);
     text.setWrapStyleWord(true);
     text.setOpaque(false);
-    text.setBorder(null);
+    text.setBorder(BorderFactory.createEmptyBorder());
     text.setFont(UIManager.getFont("Label.font"));
     return text;
   }
