@@ -1,5 +1,7 @@
 package org.pendant.command.remote;
 
+import static org.pendant.command.remote.TargetTexts.text;
+
 import java.io.Closeable;
 import java.io.IOException;
 import java.net.ConnectException;
@@ -76,7 +78,7 @@ public final class RobotTarget implements TestTarget, Closeable {
    */
   public static RobotTarget connect(TargetAddress address) throws TargetTrouble {
     if (address.rtde().isUnresolved()) {
-      throw new TargetTrouble("there is no computer of this name");
+      throw new TargetTrouble(text("noSuchComputer"));
     }
     return connect(address.rtde(), address.primary(), address.dashboard());
   }
@@ -101,7 +103,7 @@ public final class RobotTarget implements TestTarget, Closeable {
       return new RobotTarget(primary, dashboard, rtde, new TargetCommands(dashboard, ofRtde));
     } catch (IOException e) {
       closeAll(opened);
-      throw new TargetTrouble("port " + at.getPort() + " (" + port + "): " + reason(e));
+      throw new TargetTrouble(text("portTrouble", at.getPort(), port, reason(e)));
     }
   }
 
@@ -117,8 +119,8 @@ public final class RobotTarget implements TestTarget, Closeable {
 
   static String reason(IOException e) {
     return switch (e) {
-      case ConnectException _ -> "cannot be reached, nothing listens there or it is off";
-      case NoRouteToHostException _ -> "cannot be reached, there is no way to it";
+      case ConnectException _ -> text("nothingListens");
+      case NoRouteToHostException _ -> text("noWay");
       default -> String.valueOf(e.getMessage());
     };
   }
@@ -136,13 +138,13 @@ public final class RobotTarget implements TestTarget, Closeable {
           }
           case Subscription.Unknown unknown -> {
             if (!names.removeAll(unknown.names()) || !names.contains(TargetState.RUN_STATE)) {
-              throw new TargetTrouble("it does not tell " + String.join(", ", unknown.names()));
+              throw new TargetTrouble(text("doesNotTell", String.join(", ", unknown.names())));
             }
           }
         }
       }
     } catch (IOException e) {
-      throw new TargetTrouble("RTDE: " + reason(e));
+      throw new TargetTrouble(text("rtde", reason(e)));
     }
   }
 
@@ -156,16 +158,10 @@ public final class RobotTarget implements TestTarget, Closeable {
     TargetState state = awaitStopped();
     int mode = (int) state.number(TargetState.ROBOT_MODE, 0);
     if (mode != RobotMode.RUNNING.code()) {
-      throw new TargetTrouble(
-          "its robot mode is "
-              + nameOfMode(mode)
-              + ", must be RUNNING: power it on and release its brakes at its pendant");
+      throw new TargetTrouble(text("wrongMode", nameOfMode(mode)));
     }
     if (state.safety() > SafetyMode.REDUCED.code()) {
-      throw new TargetTrouble(
-          "its safety functions have stopped it ("
-              + TargetView.nameOfSafety(state.safety())
-              + "): look why, and end that at its pendant");
+      throw new TargetTrouble(text("safetyStopped", TargetView.nameOfSafety(state.safety())));
     }
     running = false;
     var _ = primary.take();
@@ -182,7 +178,7 @@ public final class RobotTarget implements TestTarget, Closeable {
   }
 
   private static TargetTrouble local() {
-    return new TargetTrouble("it is in local control: switch it to remote control at its pendant");
+    return new TargetTrouble(text("localControl"));
   }
 
   private TargetState awaitStopped() throws TargetTrouble {
@@ -190,7 +186,7 @@ public final class RobotTarget implements TestTarget, Closeable {
     TargetState state = fresh();
     while (state.runState() != RunState.STOPPED) {
       if (System.nanoTime() > endNs) {
-        throw new TargetTrouble("a program runs that does not stop");
+        throw new TargetTrouble(text("doesNotStop"));
       }
       state = next();
     }
@@ -213,7 +209,7 @@ public final class RobotTarget implements TestTarget, Closeable {
     try {
       return dashboard.ask(line);
     } catch (IOException e) {
-      throw new TargetTrouble("dashboard: " + reason(e));
+      throw new TargetTrouble(text("dashboard", reason(e)));
     }
   }
 
@@ -224,7 +220,7 @@ public final class RobotTarget implements TestTarget, Closeable {
     try {
       primary.send(script);
     } catch (IOException e) {
-      throw new TargetTrouble("primary port: " + reason(e));
+      throw new TargetTrouble(text("primaryPort", reason(e)));
     }
   }
 
@@ -242,7 +238,7 @@ public final class RobotTarget implements TestTarget, Closeable {
     while (System.nanoTime() < endNs) {
       Optional<String> lost = primary.lost();
       if (lost.isPresent()) {
-        throw new TargetTrouble("the primary port is lost: " + lost.get());
+        throw new TargetTrouble(text("primaryPortLost", lost.get()));
       }
       try {
         Optional<ByteBuffer> data = rtde.next();
@@ -250,15 +246,11 @@ public final class RobotTarget implements TestTarget, Closeable {
           return state(data.get());
         }
       } catch (IOException e) {
-        throw new TargetTrouble("RTDE is lost: " + reason(e));
+        throw new TargetTrouble(text("rtdeLost", reason(e)));
       }
     }
     silent =
-        Optional.of(
-            new TargetTrouble(
-                "it tells no state any more, for "
-                    + TimeUnit.NANOSECONDS.toSeconds(SILENCE_NS)
-                    + " s"));
+        Optional.of(new TargetTrouble(text("noState", TimeUnit.NANOSECONDS.toSeconds(SILENCE_NS))));
     throw silent.get();
   }
 

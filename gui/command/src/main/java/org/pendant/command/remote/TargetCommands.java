@@ -1,5 +1,7 @@
 package org.pendant.command.remote;
 
+import static org.pendant.command.remote.TargetTexts.text;
+
 import java.io.Closeable;
 import java.io.IOException;
 import java.net.InetSocketAddress;
@@ -73,7 +75,7 @@ final class TargetCommands implements Closeable {
         yield speed(speed.fraction());
       }
       case IoCommand.WriteSignals writes -> write(writes.writes());
-      default -> Optional.of(command.getClass().getSimpleName() + " is nothing that a port takes");
+      default -> Optional.of(text("nothingForPorts", command.getClass().getSimpleName()));
     };
   }
 
@@ -82,7 +84,7 @@ final class TargetCommands implements Closeable {
       String answer = dashboard.ask(line);
       return answer.startsWith(expected) ? Optional.empty() : Optional.of(line + ": " + answer);
     } catch (IOException e) {
-      throw new TargetTrouble("dashboard: " + RobotTarget.reason(e));
+      throw new TargetTrouble(text("dashboard", RobotTarget.reason(e)));
     }
   }
 
@@ -101,7 +103,7 @@ final class TargetCommands implements Closeable {
                 write(List.of("input_double_register_" + address), List.of(value));
             case SignalWrite.BooleanRegister(var _, var address, var value) ->
                 writeBit(address, value);
-            default -> Optional.of(each.name() + " is nothing that a port takes");
+            default -> Optional.of(text("nothingForPorts", each.name()));
           };
       if (refusal.isPresent()) {
         return refusal;
@@ -134,7 +136,7 @@ final class TargetCommands implements Closeable {
       inputs.get().write(names, values);
       return Optional.empty();
     } catch (IOException e) {
-      return Optional.of("RTDE: " + RobotTarget.reason(e));
+      return Optional.of(text("rtde", RobotTarget.reason(e)));
     }
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.command.rpc;
 
+import static org.pendant.command.rpc.RpcTexts.text;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -67,7 +69,7 @@ final class Condition {
     Condition condition = new Condition();
     var members = RpcParams.members("until", value);
     if (members.isEmpty()) {
-      throw RpcFailure.params("until is empty, must have a condition");
+      throw RpcFailure.params(text("untilEmpty"));
     }
     for (var each : members.entrySet()) {
       String name = each.getKey();
@@ -84,11 +86,10 @@ final class Condition {
   private void add(String name, Wish wish) throws RpcFailure {
     QuantityName quantity = QuantityName.of(name);
     if (quantity.size() != 1) {
-      throw RpcFailure.params(
-          name + " has " + quantity.size() + " numbers, must be one: " + name + "[0]");
+      throw RpcFailure.params(text("severalNumbers", name, quantity.size(), name));
     }
     if (wish instanceof Wish.Letters) {
-      throw RpcFailure.params(name + " is a number, and must not be a text");
+      throw RpcFailure.params(text("numberNoText", name));
     }
     quantities.add(new OfQuantity(quantity, wish));
   }
@@ -99,7 +100,7 @@ final class Condition {
       case Json.Word word -> new Wish.Exactly(RpcParams.level(name, word) ? 1 : 0);
       case Json.Text text -> new Wish.Letters(text.value());
       case Json.Members range -> between(name, range);
-      case Json.Elements _ -> throw RpcParams.wrong(name, value, "a value or a range");
+      case Json.Elements _ -> throw RpcParams.wrong(name, value, text("valueOrRange"));
     };
   }
 
@@ -111,7 +112,7 @@ final class Condition {
       switch (each.getKey()) {
         case "above" -> above = number;
         case "below" -> below = number;
-        default -> throw RpcParams.wrong(name, range, "above and below a number");
+        default -> throw RpcParams.wrong(name, range, text("aboveAndBelow"));
       }
     }
     return new Wish.Between(above, below);

@@ -1,5 +1,7 @@
 package org.pendant.command.rpc;
 
+import static org.pendant.command.rpc.RpcTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -52,22 +54,30 @@ final class ControlMethods {
     table.add("safety.do", List.of("action"), ControlMethods::doSafety);
   }
 
-  /** The number of a message: the one that is named, or that of the oldest. */
-  private static long number(RpcParams params, String what, Stream<Long> open) throws RpcFailure {
+  /**
+   * The number of a message: the one that is named, or that of the oldest.
+   *
+   * @param refusal for where none is open
+   */
+  private static long number(RpcParams params, Stream<Long> open, String refusal)
+      throws RpcFailure {
     OptionalLong named = params.whole("number", 1, MAX_NUMBER);
     return named.isPresent()
         ? named.getAsLong()
         : open.findFirst()
-            .orElseThrow(
-                () -> RpcFailure.of(new Refusal(Refusal.Code.UNKNOWN, "no " + what + " is open")));
+            .orElseThrow(() -> RpcFailure.of(new Refusal(Refusal.Code.UNKNOWN, refusal)));
   }
 
   private static long popup(DrivenRobot robot, RpcParams params) throws RpcFailure {
-    return number(params, "popup", robot.state().openPopups().stream().map(Popup::number));
+    return number(
+        params, robot.state().openPopups().stream().map(Popup::number), RpcTexts.text("noPopup"));
   }
 
   private static long question(DrivenRobot robot, RpcParams params) throws RpcFailure {
-    return number(params, "question", robot.state().openQuestions().stream().map(Question::number));
+    return number(
+        params,
+        robot.state().openQuestions().stream().map(Question::number),
+        RpcTexts.text("noQuestion"));
   }
 
   private static Map<String, Json.Member> values(RpcParams params) throws RpcFailure {
@@ -145,11 +155,7 @@ final class ControlMethods {
           case "power_on" -> new SafetyCommand.PowerOn();
           case "power_off" -> new SafetyCommand.PowerOff();
           case "release_brakes" -> new SafetyCommand.ReleaseBrakes();
-          default ->
-              throw RpcFailure.params(
-                  "action is "
-                      + action
-                      + ", must be one of unlock, restart, power_on, power_off, release_brakes");
+          default -> throw RpcFailure.params(text("wrongAction", action));
         });
     return Map.of();
   }

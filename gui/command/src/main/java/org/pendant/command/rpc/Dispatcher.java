@@ -1,5 +1,7 @@
 package org.pendant.command.rpc;
 
+import static org.pendant.command.rpc.RpcTexts.text;
+
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
@@ -69,11 +71,10 @@ final class Dispatcher {
 
   private Optional<List<Object>> batch(List<Json> requests) throws RpcFailure {
     if (requests.isEmpty()) {
-      throw invalid("the batch is empty");
+      throw invalid(text("emptyBatch"));
     }
     if (requests.size() > MAX_BATCH) {
-      throw invalid(
-          "the batch has " + requests.size() + " requests, must have at most " + MAX_BATCH);
+      throw invalid(text("longBatch", requests.size(), MAX_BATCH));
     }
     List<Object> answers = new ArrayList<>();
     for (Json each : requests) {
@@ -86,7 +87,7 @@ final class Dispatcher {
     Object id = NO_ID;
     try {
       if (!(request instanceof Json.Members members)) {
-        throw invalid("request is " + request.described() + ", must be an object");
+        throw invalid(text("wrongRequest", request.described()));
       }
       Json.Member sent = members.byKey().get("id");
       if (sent != null) {
@@ -109,10 +110,10 @@ final class Dispatcher {
   private Object carryOut(Json.Members request) throws RpcFailure {
     if (!(value(request, "jsonrpc") instanceof Json.Text version)
         || !version.value().equals("2.0")) {
-      throw invalid("jsonrpc must be \"2.0\"");
+      throw invalid(text("wrongVersion"));
     }
     if (!(value(request, "method") instanceof Json.Text name)) {
-      throw invalid("method must be a text");
+      throw invalid(text("wrongMethod"));
     }
     RpcMethod method = methods.of(name.value());
     RpcParams params = RpcParams.of(value(request, "params"));
@@ -120,7 +121,7 @@ final class Dispatcher {
       return method.call(params);
     } catch (RuntimeException | StackOverflowError | OutOfMemoryError fault) {
       faults.accept(fault);
-      throw new RpcFailure(RpcFailure.INTERNAL_ERROR, "internal error: " + fault);
+      throw new RpcFailure(RpcFailure.INTERNAL_ERROR, text("internalError", fault));
     }
   }
 

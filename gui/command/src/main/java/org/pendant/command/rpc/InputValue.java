@@ -23,7 +23,7 @@ final class InputValue {
       case Json.Numeral number -> Range.number(number.value()) + unit(name, now);
       case Json.Word word when !word.word().equals("null") -> word.word();
       case Json.Word _, Json.Elements _, Json.Members _ ->
-          throw RpcParams.wrong(name, value, "a text, a number, true or false");
+          throw RpcParams.wrong(name, value, RpcTexts.text("anyScalar"));
     };
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.command.rpc;
 
+import static org.pendant.command.rpc.RpcTexts.text;
+
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -57,8 +59,7 @@ final class LineReader {
 
   private static ByteBuffer whole(ByteArrayOutputStream line, boolean tooLong) throws RpcFailure {
     if (tooLong) {
-      throw new RpcFailure(
-          RpcFailure.PARSE_ERROR, "the line has more than " + MAX_BYTES + " bytes");
+      throw new RpcFailure(RpcFailure.PARSE_ERROR, text("longLine", MAX_BYTES));
     }
     return ByteBuffer.wrap(line.toByteArray());
   }

@@ -44,10 +44,11 @@ final class MethodTable {
   RpcMethod of(String name) throws RpcFailure {
     RpcMethod found = methods.get(name);
     if (found == null) {
-      String hint =
-          Nearest.among(name, names()).map(near -> ", did you mean " + near + "?").orElse("");
       throw new RpcFailure(
-          RpcFailure.METHOD_NOT_FOUND, "there is no method " + shortened(name) + hint);
+          RpcFailure.METHOD_NOT_FOUND,
+          Nearest.among(name, names())
+              .map(near -> RpcTexts.text("noSuchMethodButNear", shortened(name), near))
+              .orElseGet(() -> RpcTexts.text("noSuchMethod", shortened(name))));
     }
     return found;
   }

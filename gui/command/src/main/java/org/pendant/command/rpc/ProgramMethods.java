@@ -1,5 +1,7 @@
 package org.pendant.command.rpc;
 
+import static org.pendant.command.rpc.RpcTexts.text;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -37,7 +39,7 @@ final class ProgramMethods {
     Optional<String> file = params.text("file");
     Optional<String> text = params.text("text");
     if (file.isPresent() == text.isPresent()) {
-      throw RpcFailure.params("one of file and text must be given");
+      throw RpcFailure.params(text("fileOrText"));
     }
     robot.load(Optional.empty());
     if (text.isPresent()) {
@@ -46,7 +48,7 @@ final class ProgramMethods {
       return load(robot, source, Optional.empty(), name, List.of(), line -> Optional.empty());
     }
     if (params.has("name")) {
-      throw RpcFailure.params("name goes with text, a file has one");
+      throw RpcFailure.params(text("nameWithText"));
     }
     RobotSource.ReadProgram read = robot.programs().read(file.get());
     if (read.source().isEmpty()) {
@@ -123,8 +125,7 @@ final class ProgramMethods {
     DrivenRobot.Loaded loaded =
         robot
             .loaded()
-            .orElseThrow(
-                () -> new RpcFailure(RpcFailure.PROGRAM, "no program is loaded, load one first"));
+            .orElseThrow(() -> new RpcFailure(RpcFailure.PROGRAM, text("noProgramLoaded")));
     Program program = loaded.program();
     if (program.secondary()) {
       robot.ask(new ProgramCommand.RunSecondary(program, loaded.folder()));

@@ -39,16 +39,16 @@ record QuantityName(StateQuantity quantity, OptionalInt index) {
         }
       }
     }
-    String hint =
-        Nearest.among(name, names()).map(near -> ", did you mean " + near + "?").orElse("");
-    throw RpcFailure.params("there is no quantity " + text + hint);
+    throw RpcFailure.params(
+        Nearest.among(name, names())
+            .map(near -> RpcTexts.text("noSuchQuantityButNear", text, near))
+            .orElseGet(() -> RpcTexts.text("noSuchQuantity", text)));
   }
 
   private static QuantityName element(StateQuantity quantity, String text, int index)
       throws RpcFailure {
     if (index >= quantity.size()) {
-      throw RpcFailure.params(
-          text + ": index is " + index + ", must be 0 to " + (quantity.size() - 1));
+      throw RpcFailure.params(RpcTexts.text("wrongIndex", text, index, quantity.size() - 1));
     }
     return new QuantityName(quantity, OptionalInt.of(index));
   }

@@ -1,5 +1,7 @@
 package org.pendant.command.rpc;
 
+import static org.pendant.command.rpc.RpcTexts.text;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -60,7 +62,7 @@ final class ReadingMethods {
     for (String name : wanted) {
       Value value = globals.get(ByteText.asBytes(name));
       if (value == null) {
-        throw RpcFailure.params("there is no variable " + name);
+        throw RpcFailure.params(text("noSuchVariable", name));
       }
       answer.put(name, values.of(value));
     }

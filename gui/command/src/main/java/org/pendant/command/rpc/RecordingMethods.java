@@ -1,5 +1,7 @@
 package org.pendant.command.rpc;
 
+import static org.pendant.command.rpc.RpcTexts.text;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -60,7 +62,7 @@ final class RecordingMethods {
       }
     }
     if (paths.size() > VariableTracer.MOST) {
-      throw RpcFailure.params("more than " + VariableTracer.MOST + " variables");
+      throw RpcFailure.params(text("tooManyVariables", VariableTracer.MOST));
     }
     robot.ask(new DebugCommand.TraceVariables(OWNER, paths));
     return Map.of();
@@ -70,9 +72,7 @@ final class RecordingMethods {
     Recording recording =
         robot
             .recording()
-            .orElseThrow(
-                () ->
-                    new RpcFailure(RpcFailure.REFUSED, "the robot was created without recording"));
+            .orElseThrow(() -> new RpcFailure(RpcFailure.REFUSED, text("withoutRecording")));
     List<Column> columns = new ArrayList<>();
     for (String each : params.texts("columns").orElseThrow(() -> RpcParams.missing("columns"))) {
       columns.add(Column.of(each));

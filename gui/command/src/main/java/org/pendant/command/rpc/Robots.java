@@ -1,5 +1,7 @@
 package org.pendant.command.rpc;
 
+import static org.pendant.command.rpc.RpcTexts.text;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -62,24 +64,22 @@ final class Robots implements AutoCloseable {
       return sessions.values().iterator().next();
     }
     if (handle.isEmpty()) {
-      throw RpcFailure.params("handle is missing, there are " + sessions.size() + " robots");
+      throw RpcFailure.params(text("handleMissing", sessions.size()));
     }
     DrivenRobot found = sessions.get(handle.getAsLong());
     if (found == null) {
-      throw new RpcFailure(
-          RpcFailure.NO_SUCH_ROBOT, "there is no robot with handle " + handle.getAsLong());
+      throw new RpcFailure(RpcFailure.NO_SUCH_ROBOT, text("noSuchRobot", handle.getAsLong()));
     }
     return found;
   }
 
   private Object create(RpcParams params) throws RpcFailure {
     if (sessions.size() == MAX_ROBOTS) {
-      throw new RpcFailure(
-          RpcFailure.TOO_MUCH, "there are " + MAX_ROBOTS + " robots, close one first");
+      throw new RpcFailure(RpcFailure.TOO_MUCH, text("tooManyRobots", MAX_ROBOTS));
     }
     String operator = params.text("operator").orElse("present");
     if (!operator.equals("present") && !operator.equals("absent")) {
-      throw RpcFailure.params("operator is " + operator + ", must be present or absent");
+      throw RpcFailure.params(text("wrongOperator", operator));
     }
     RobotSource.NewRobot wanted = source.robot(words(params));
     Optional<Joints> start = start(params);
@@ -115,7 +115,7 @@ final class Robots implements AutoCloseable {
       return Optional.empty();
     }
     if (!(start.get() instanceof Json.Elements array) || array.values().size() != Joints.COUNT) {
-      throw RpcParams.wrong("start", start.get(), "an array of 6 angles");
+      throw RpcParams.wrong("start", start.get(), text("sixAngles"));
     }
     double[] rad = new double[Joints.COUNT];
     for (int i = 0; i < rad.length; i++) {

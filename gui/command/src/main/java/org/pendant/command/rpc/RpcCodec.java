@@ -54,8 +54,7 @@ final class RpcCodec {
       case Json.Word word when word.word().equals("null") -> Optional.empty();
       case Json.Numeral _, Json.Word _, Json.Elements _, Json.Members _ ->
           throw new RpcFailure(
-              RpcFailure.INVALID_REQUEST,
-              "id is " + id.described() + ", must be a text or a whole number");
+              RpcFailure.INVALID_REQUEST, RpcTexts.text("wrongId", id.described()));
     };
   }
 

@@ -28,7 +28,7 @@ final class RpcParams {
   /** The parameters of a request. */
   static RpcParams of(Json params) throws RpcFailure {
     if (!(params instanceof Json.Members members)) {
-      throw RpcFailure.params("params is " + params.described() + ", must be an object");
+      throw RpcFailure.params(RpcTexts.text("wrongParams", params.described()));
     }
     try {
       return new RpcParams(members);
@@ -70,7 +70,7 @@ final class RpcParams {
     if (value instanceof Json.Text text) {
       return text.value();
     }
-    throw wrong(key, value, "a text");
+    throw wrong(key, value, RpcTexts.text("aText"));
   }
 
   /** A list of texts; empty if it is left out. */
@@ -80,7 +80,7 @@ final class RpcParams {
       return Optional.empty();
     }
     if (!(value.get() instanceof Json.Elements array)) {
-      throw wrong(key, value.get(), "an array of texts");
+      throw wrong(key, value.get(), RpcTexts.text("arrayOfTexts"));
     }
     List<String> texts = new ArrayList<>();
     for (Json each : array.values()) {
@@ -113,7 +113,7 @@ final class RpcParams {
       return OptionalLong.empty();
     }
     if (number.getAsDouble() != Math.rint(number.getAsDouble())) {
-      throw RpcFailure.params(key + " is " + number.getAsDouble() + ", must be a whole number");
+      throw RpcFailure.params(RpcTexts.text("wholeNumber", key, number.getAsDouble()));
     }
     return OptionalLong.of((long) number.getAsDouble());
   }
@@ -128,7 +128,7 @@ final class RpcParams {
     if (value instanceof Json.Word word && !word.word().equals("null")) {
       return word.word().equals("true");
     }
-    throw wrong(key, value, "true or false");
+    throw wrong(key, value, RpcTexts.text("trueOrFalse"));
   }
 
   /** The members of an object that must be there. */
@@ -136,12 +136,12 @@ final class RpcParams {
     if (value instanceof Json.Members object) {
       return object.byKey();
     }
-    throw wrong(key, value, "an object");
+    throw wrong(key, value, RpcTexts.text("anObject"));
   }
 
   /** The complaint that a parameter is not there. */
   static RpcFailure missing(String key) {
-    return RpcFailure.params(key + " is missing");
+    return RpcFailure.params(RpcTexts.text("missing", key));
   }
 
   /** The complaint that {@code value} is not of the right kind. */

@@ -1,5 +1,7 @@
 package org.pendant.command.rpc;
 
+import static org.pendant.command.rpc.RpcTexts.text;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -45,9 +47,7 @@ final class ScriptValues {
   private Object counted(Object element) throws RpcFailure {
     elements++;
     if (elements > MAX_ELEMENTS) {
-      throw new RpcFailure(
-          RpcFailure.TOO_MUCH,
-          "the variables have more than " + MAX_ELEMENTS + " elements, ask for some by names");
+      throw new RpcFailure(RpcFailure.TOO_MUCH, text("tooManyElements", MAX_ELEMENTS));
     }
     return element;
   }

@@ -1,5 +1,7 @@
 package org.pendant.command.rpc;
 
+import static org.pendant.command.rpc.RpcTexts.text;
+
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -54,11 +56,11 @@ final class TimeMethods {
     int given =
         (seconds.isPresent() ? 1 : 0) + (frames.isPresent() ? 1 : 0) + (until.isPresent() ? 1 : 0);
     if (given != 1) {
-      throw RpcFailure.params("one of seconds, frames and until must be given");
+      throw RpcFailure.params(text("secondsFramesOrUntil"));
     }
     OptionalDouble timeout = params.number("timeout", SECONDS);
     if (timeout.isPresent() && until.isEmpty()) {
-      throw RpcFailure.params("timeout goes with until");
+      throw RpcFailure.params(text("timeoutWithUntil"));
     }
     Goal goal = until.isPresent() ? goal(until.get(), robot) : state -> Optional.empty();
     double standardS =
@@ -86,11 +88,7 @@ final class TimeMethods {
       if (i % FRAMES_PER_LOOK == FRAMES_PER_LOOK - 1 && System.nanoTime() - beganNs > wallS * 1e9) {
         throw new RpcFailure(
             RpcFailure.WALL_TIME,
-            "after "
-                + Range.number(wallS)
-                + " s on the wall robot time has come to "
-                + Range.number(robot.state().timeS())
-                + " s",
+            text("wallTimeOver", Range.number(wallS), Range.number(robot.state().timeS())),
             Map.of("frames", i));
       }
       robot.advance();
@@ -112,7 +110,7 @@ final class TimeMethods {
               state.program().state() != ProgramState.RUNNING && !state.arm().moving()
                   ? Optional.of("rest")
                   : Optional.empty();
-      default -> throw RpcParams.wrong("until", until, "\"ended\", \"rest\" or an object");
+      default -> throw RpcParams.wrong("until", until, text("goalOrObject"));
     };
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.command.service;
 
+import static org.pendant.command.service.GoldenTexts.text;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -100,15 +102,12 @@ public final class GoldenComparison implements Goldens.Run {
         file = place.file(wholeName(name));
       }
       if (!Files.exists(file)) {
-        return Optional.of(
-            trouble(
-                "golden-missing",
-                "there is no recording " + name + " to compare with; --update-golden makes it"));
+        return Optional.of(trouble("golden-missing", text("goldenMissing", name)));
       }
       RunTrack before = read(file, tolerance.mm().isPresent());
       Optional<String> coarse = tooCoarse(before);
       if (coarse.isPresent()) {
-        return Optional.of(trouble("golden-unreadable", name + " " + coarse.get()));
+        return Optional.of(trouble("golden-unreadable", coarse.get()));
       }
       Path compared = file;
       Optional<TrackDifference> first = TrackComparison.first(track, before, tolerance);
@@ -118,7 +117,7 @@ public final class GoldenComparison implements Goldens.Run {
       return Optional.of(trouble("golden-unreadable", e.getMessage()));
     } catch (MalformedTrack e) {
       return Optional.of(
-          trouble("golden-unreadable", name + " " + e.getMessage() + "; --update-golden replaces"));
+          trouble("golden-unreadable", text("goldenUnreadable", name, e.getMessage())));
     } catch (IOException e) {
       return Optional.of(trouble("golden-unreadable", name + ": " + FileTrouble.reason(e)));
     } catch (UncheckedIOException e) {
@@ -152,9 +151,7 @@ public final class GoldenComparison implements Goldens.Run {
     boolean mm =
         tolerance.mm().isPresent()
             && (!before.hasTcp() || before.within().mm() > fine(tolerance.mm()));
-    return deg || mm
-        ? Optional.of("was recorded for larger differences; --update-golden records it anew")
-        : Optional.empty();
+    return deg || mm ? Optional.of(GoldenTexts.text("goldenTooCoarse", name)) : Optional.empty();
   }
 
   private static double fine(OptionalDouble most) {
@@ -170,10 +167,7 @@ public final class GoldenComparison implements Goldens.Run {
             .orElse("");
     return new Goldens.Problem(
         "golden-differs",
-        difference.words()
-            + "\nfirst difference from "
-            + name
-            + "; --update-golden takes the new run in its place",
+        difference.words() + "\n" + GoldenTexts.text("firstDifference", name),
         program.isEmpty() ? 0 : difference.line(),
         program);
   }

@@ -1,5 +1,7 @@
 package org.pendant.command.service;
 
+import static org.pendant.command.service.GoldenTexts.text;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -59,7 +61,7 @@ public final class GoldenWriting implements Goldens.Run {
     try {
       Path file = place.file(name);
       if (Files.exists(file) && !TrackText.begins(head(file, TrackText.MARK_BYTES))) {
-        return Optional.of(trouble(name + " is no recording, so it is not replaced"));
+        return Optional.of(trouble(text("notReplaced", name)));
       }
       Files.createDirectories(file.toAbsolutePath().getParent());
       AtomicFile.write(file, TrackText.of(track, tolerance));
@@ -70,7 +72,7 @@ public final class GoldenWriting implements Goldens.Run {
       written.accept(name);
       return Optional.empty();
     } catch (IOException e) {
-      return Optional.of(trouble(name + ": cannot be written, " + FileTrouble.reason(e)));
+      return Optional.of(trouble(text("notWritten", name, FileTrouble.reason(e))));
     }
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.command.service;
 
+import static org.pendant.command.service.GoldenTexts.text;
+
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -41,7 +43,7 @@ public final class TestFinder {
       } else if (Files.exists(path)) {
         found.add(name(path));
       } else {
-        throw new IOException(each + ": no such file or folder");
+        throw new IOException(text("noSuchFile", each));
       }
     }
     return List.copyOf(found);
