@@ -2,7 +2,6 @@ package org.pendant.desktop.shell;
 
 import static org.pendant.desktop.shell.ShellTexts.text;
 
-import java.io.IOException;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.pendant.desktop.debug.ProgramLaunch;
@@ -12,6 +11,7 @@ import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.whatif.WhatIfView;
 import org.pendant.kit.background.Background;
+import org.pendant.kit.text.Messages;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
@@ -24,12 +24,19 @@ final class EditedProgram implements WhatIfView.RanProgram {
   private final Programs programs;
   private final ProgramRunner runner;
   private final TreeRuns runs;
+  private final LineNames names;
 
-  EditedProgram(RobotSession session, Programs programs, ProgramRunner runner, TreeRuns runs) {
+  EditedProgram(
+      RobotSession session,
+      Programs programs,
+      ProgramRunner runner,
+      TreeRuns runs,
+      LineNames names) {
     this.session = session;
     this.programs = programs;
     this.runner = runner;
     this.runs = runs;
+    this.names = names;
   }
 
   @Override
@@ -40,6 +47,13 @@ final class EditedProgram implements WhatIfView.RanProgram {
   @Override
   public ProgramDocument front() {
     return programs.current();
+  }
+
+  @Override
+  public String place(ProgramDocument of, int line, boolean edited) {
+    return !edited && runner.program().equals(Optional.of(of))
+        ? names.started(line)
+        : names.of(Optional.of(of), line);
   }
 
   /** Compiles it; that of the one in front if none of those that are open has run. */
@@ -57,23 +71,35 @@ final class EditedProgram implements WhatIfView.RanProgram {
       return;
     }
     Background.run(
-        () -> compiled(plan.script().apply(Optional.empty()).source()),
-        then,
+        () -> {
+          Source source = plan.script().apply(Optional.empty()).source();
+          return new Compiled(source, session.load(source));
+        },
+        compiled ->
+            refusal(document, compiled)
+                .ifPresentOrElse(
+                    failed, () -> then.accept(compiled.loadResult().program().orElseThrow())),
         refused -> failed.accept(document.name() + ": " + refused.getMessage()));
   }
 
-  private Program compiled(Source source) throws IOException {
-    LoadResult loadResult = session.load(source);
+  /** What became of a text. */
+  private record Compiled(Source source, LoadResult loadResult) {}
+
+  /** Why it cannot run as a variant; empty if it can. */
+  private Optional<String> refusal(ProgramDocument document, Compiled compiled) {
     Optional<Diagnostic> error =
-        loadResult.diagnostics().stream().filter(Diagnostic::isError).findFirst();
+        compiled.loadResult().diagnostics().stream().filter(Diagnostic::isError).findFirst();
     if (error.isPresent()) {
-      int line = source.line(error.get().range().start());
-      throw new IOException(text("lineAndMessage", line, ByteText.decoded(error.get().message())));
+      int line = compiled.source().line(error.get().range().start());
+      return Optional.of(
+          text(
+              "programPlaceAndMessage",
+              document.name(),
+              names.of(Optional.of(document), line),
+              Messages.shown(ByteText.decoded(error.get().message()))));
     }
-    Program program = loadResult.program().orElseThrow();
-    if (program.secondary()) {
-      throw new IOException(text("aSecondaryProgramRunsBesideAnother"));
-    }
-    return program;
+    return compiled.loadResult().program().orElseThrow().secondary()
+        ? Optional.of(document.name() + ": " + text("aSecondaryProgramRunsBesideAnother"))
+        : Optional.empty();
   }
 }

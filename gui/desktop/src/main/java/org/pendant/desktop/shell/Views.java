@@ -245,7 +245,7 @@ final class Views {
             workbench,
             past::past,
             past::ofFile,
-            new EditedProgram(session, programs, runner, runs));
+            new EditedProgram(session, programs, runner, runs, names));
     scene.setCompared(whatIf::ways);
     places =
         ViewPlaces.of(

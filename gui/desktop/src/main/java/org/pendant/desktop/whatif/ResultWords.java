@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.IntFunction;
 import org.pendant.kit.text.Messages;
 import org.pendant.recording.whatif.Peak;
 import org.pendant.recording.whatif.VariantOutcome;
@@ -162,17 +163,21 @@ final class ResultWords {
     return worse;
   }
 
-  /** All that is known of a figure. */
-  static String about(Figure figure, VariantOutcome outcome) {
+  /**
+   * All that is known of a figure.
+   *
+   * @param places what a line is called in a sentence
+   */
+  static String about(Figure figure, VariantOutcome outcome, IntFunction<String> places) {
     return switch (figure) {
       case CYCLE ->
           outcome.cycleS().isEmpty()
               ? String.format(Locale.ROOT, text("notFinishedStoppedSAfterThe"), outcome.timeS())
               : outcome.roundOf() > 0
-                  ? text("fromOneTimeThatLineIs", outcome.roundOf())
+                  ? text("fromOneTimeThatPlaceIs", places.apply(outcome.roundOf()))
                   : String.format(Locale.ROOT, text("fromTheStartOfTheProgram"), outcome.timeS());
-      case TORQUE -> outcome.torque().map(ResultWords::peak).orElse("");
-      case JOINT_SPEED -> outcome.jointSpeed().map(ResultWords::peak).orElse("");
+      case TORQUE -> outcome.torque().map(each -> peak(each, places)).orElse("");
+      case JOINT_SPEED -> outcome.jointSpeed().map(each -> peak(each, places)).orElse("");
       case ENERGY -> String.format(Locale.ROOT, text("whatTheArmTookFromIts"), outcome.timeS());
     };
   }
@@ -181,8 +186,12 @@ final class ResultWords {
     return outcome.roundOf() > 0 ? text("aRound", amount) : amount;
   }
 
-  private static String peak(Peak peak) {
+  private static String peak(Peak peak, IntFunction<String> places) {
     return String.format(
-        Locale.ROOT, text("peakPlace"), capital(peak.joint()), peak.line(), peak.timeS());
+        Locale.ROOT,
+        text("peakPlace"),
+        capital(peak.joint()),
+        places.apply(peak.line()),
+        peak.timeS());
   }
 }

@@ -28,14 +28,27 @@ final class VariantTableModel extends AbstractTableModel {
 
   private final transient WhatIfPresenter presenter;
   private final transient Supplier<PoseForm> form;
+  private final transient Places places;
   private int shown;
+
+  /** What lines of the program are called. */
+  @FunctionalInterface
+  interface Places {
+    /**
+     * Within a sentence.
+     *
+     * @param edited whether the program ran as it is edited now
+     */
+    String of(int line, boolean edited);
+  }
 
   /**
    * The variants of a presenter.
    *
    * @param form in which people read numbers now
    */
-  VariantTableModel(WhatIfPresenter presenter, Supplier<PoseForm> form) {
+  VariantTableModel(WhatIfPresenter presenter, Supplier<PoseForm> form, Places places) {
+    this.places = places;
     this.presenter = presenter;
     this.form = form;
     shown = presenter.rows().size();
@@ -101,6 +114,10 @@ final class VariantTableModel extends AbstractTableModel {
     };
   }
 
+  private boolean edited(int row) {
+    return presenter.rows().get(row).edited();
+  }
+
   /** What is edited: nothing where a cell says that something is as it was. */
   String typed(int row, int column) {
     return untouched(row, column) && column != PROGRAM ? "" : getValueAt(row, column).toString();
@@ -127,7 +144,10 @@ final class VariantTableModel extends AbstractTableModel {
                     .finished()
                     .map(
                         outcome ->
-                            getValueAt(row, column) + ": " + ResultWords.about(each, outcome)))
+                            getValueAt(row, column)
+                                + ": "
+                                + ResultWords.about(
+                                    each, outcome, line -> places.of(line, edited(row)))))
         .orElseGet(
             () ->
                 switch (column) {

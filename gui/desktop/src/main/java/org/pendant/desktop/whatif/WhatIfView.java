@@ -90,6 +90,13 @@ public final class WhatIfView implements View {
     /** The one that people look at. */
     ProgramDocument front();
 
+    /**
+     * What a line of a program is called in a sentence.
+     *
+     * @param line of the program as it is edited now, or else of what was started last
+     */
+    String place(ProgramDocument of, int line, boolean edited);
+
     /** Compiles it as it is edited now; one of both follows, in the dispatch thread. */
     void compile(Consumer<Program> then, Consumer<String> failed);
   }
@@ -116,7 +123,8 @@ public final class WhatIfView implements View {
             EventQueue::invokeLater,
             work -> Thread.ofPlatform().daemon().name("what-if").start(work),
             this::show);
-    model = new VariantTableModel(presenter, () -> FormMemory.read(workbench.settings()));
+    model =
+        new VariantTableModel(presenter, () -> FormMemory.read(workbench.settings()), this::place);
     table = new VariantTable(presenter, model, refused);
     table.getSelectionModel().addListSelectionListener(event -> selectionChanged());
     JScrollPane scroll = new JScrollPane(table);
@@ -167,6 +175,12 @@ public final class WhatIfView implements View {
         OptionalLong.empty(),
         text("runFromTheStart"),
         workbench.session().programKnown() ? "" : text("noProgramHasRunYet"));
+  }
+
+  private String place(int line, boolean edited) {
+    ProgramDocument of =
+        subject.map(each -> each.ran().orElse(each.front())).orElseGet(program::front);
+    return program.place(of, line, edited);
   }
 
   private static JButton button(String name, String text, String tip) {

@@ -80,8 +80,8 @@ final class ResultWordsTest {
   @Test
   void aPeakIsExplained() {
     assertEquals(
-        "Elbow, line 4, 1.500 s after the moment; in % of what the joint can do",
-        ResultWords.about(Figure.TORQUE, FIRST));
+        "Elbow, node 4, 1.500 s after the moment; in % of what the joint can do",
+        ResultWords.about(Figure.TORQUE, FIRST, line -> "node " + line));
   }
 
   @Test

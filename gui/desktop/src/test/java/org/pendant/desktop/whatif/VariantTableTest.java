@@ -63,7 +63,8 @@ final class VariantTableTest {
             Runnable::run,
             Runnable::run,
             () -> {});
-    VariantTableModel model = new VariantTableModel(presenter, () -> PoseForm.STANDARD);
+    VariantTableModel model =
+        new VariantTableModel(presenter, () -> PoseForm.STANDARD, (line, edited) -> "line " + line);
     VariantTable table = new VariantTable(presenter, model, new JLabel());
     presenter.run();
     model.show();
