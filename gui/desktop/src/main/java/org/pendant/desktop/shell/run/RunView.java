@@ -4,6 +4,7 @@ import static org.pendant.desktop.shell.run.RunTexts.text;
 
 import com.formdev.flatlaf.util.UIScale;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -45,8 +46,11 @@ import org.pendant.script.variables.VariableSamples;
  */
 public final class RunView implements View {
   private static final String WIDE = "insets 16, gap 16, hidemode 3, wrap 2";
-  private static final String WIDE_COLUMNS = "[grow, fill, 0::][fill]";
+  private static final String WIDE_COLUMNS = "[grow, fill, 0::][fill, pref:pref:]";
   private static final String NARROW = "insets 16, gap 16, hidemode 3, wrap 1";
+
+  /** Six readings that nobody has taken. */
+  private static final List<String> NOT_KNOWN = Collections.nCopies(6, " ");
 
   /** Below this width (pixels before scaling) the cards are below one another. */
   private static final int NARROW_WIDTH = 660;
@@ -56,13 +60,13 @@ public final class RunView implements View {
   private final MigLayout layout = new MigLayout(WIDE, WIDE_COLUMNS, "[][][][][grow]");
   private final JPanel content = new WideContent(layout);
   private final JScrollPane scroll = new SettledScroll(content);
-  private final JLabel name = new JLabel();
-  private final JLabel state = new JLabel();
-  private final JLabel elapsed = new JLabel();
+  private final JLabel name = new JLabel(" ");
+  private final JLabel state = new JLabel(" ");
+  private final JLabel elapsed = new JLabel(" ");
   private final JLabel paused = new JLabel();
   private final JLabel turns = new JLabel();
   private final JButton node = new JButton();
-  private final JLabel line = new JLabel();
+  private final JLabel line = new JLabel(" ");
   private final JLabel waiting = new JLabel();
   private final StopPanel stop;
   private final VariablesPanel variables;
@@ -105,6 +109,9 @@ public final class RunView implements View {
         .getFirst()
         .reserve(Arrays.stream(ProgramPhase.values()).map(ProgramPhase::runWord).toList());
     buttonRow = new ActionButtons(buttons);
+    // The first picture is there before the robot is.
+    tcp.show(FormMemory.read(workbench.settings()).labels(), NOT_KNOWN);
+    joints.show(NOT_KNOWN);
     scroll.setName("run-view");
     scroll.getAccessibleContext().setAccessibleName(title());
     content.add(stop.component(), "spanx, growx, wmin 0");
@@ -161,6 +168,7 @@ public final class RunView implements View {
     name("run-line", line, text("lineOfTheProgram"));
     name("run-waiting", waiting, text("popups"));
     waiting.setIcon(Glyph.WARNING.icon(16, Palette.warning()));
+    waiting.setVisible(false);
     card.add(name, "wmin 0");
     card.add(state, "wmin 0");
     JPanel times = new FlushRow(24);
