@@ -9,7 +9,8 @@ import net.miginfocom.swing.MigLayout;
 /**
  * Status row: what was told last, and beside it, while people look at the past, where they are. It
  * is as high as either, whether that is there or not: when people begin to look back, nothing above
- * moves under their pointer.
+ * moves under their pointer. Nor does anything in it: what was told begins at the left as ever, and
+ * the line between the two stays, whatever they say.
  */
 @SuppressWarnings("serial") // never written to a stream
 final class StatusRow extends JPanel {
@@ -19,8 +20,8 @@ final class StatusRow extends JPanel {
    */
   StatusRow(JComponent past, JComponent status) {
     super(new MigLayout("insets 0, gap 0, hidemode 3, filly"));
-    add(past, "grow, pushx 300, wmin 0");
-    add(status, "grow, pushx 100, wmin 180");
+    add(status, "grow, pushx 40, width 180:180:");
+    add(past, "grow, pushx 300, width 0:0:");
   }
 
   @Override
