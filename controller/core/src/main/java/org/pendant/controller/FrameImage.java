@@ -202,7 +202,7 @@ final class FrameImage {
   private LinkDistance links() {
     double[] others = othersRad.clone();
     return of ->
-        box.arm().surroundings().nearestM(of.actualPositionRad(), of.tool().inFlange(), others);
+        box.arm().surroundings().nearest(of.actualPositionRad(), of.tool().inFlange(), others);
   }
 
   private ControllerState snapshot() {

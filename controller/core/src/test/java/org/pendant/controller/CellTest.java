@@ -269,7 +269,7 @@ final class CellTest {
   }
 
   private static double nearestM(Cell cell, String name) {
-    return state(cell, name).geometry().linkDistanceM();
+    return state(cell, name).geometry().linkDistances().nearestM();
   }
 
   @Test

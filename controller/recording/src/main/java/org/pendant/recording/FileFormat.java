@@ -24,7 +24,7 @@ final class FileFormat {
   static final byte[] MAGIC = {(byte) 0x8F, 'P', 'E', 'N', 'R', 'E', 'C', '\n'};
 
   /** The version that is written, and the only one that is read. */
-  static final int VERSION = 5;
+  static final int VERSION = 6;
 
   /** Frames of a segment. */
   static final int FRAMES = 1;

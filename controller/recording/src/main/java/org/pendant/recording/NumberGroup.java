@@ -35,7 +35,7 @@ enum NumberGroup {
       12,
       "robot_current momentum deviation collision main_voltage robot_voltage joint_voltage"),
   /** How near a link is to another or to what stands around it. */
-  LINKS(17, "links", 1, "link_distance"),
+  LINKS(17, "links", 2, "link_distance object_distance"),
   /**
    * What never rests: temperatures of joints, tool and box, energies, the computer's time. By
    * itself it is kept once in a while only, or an arm at rest would fill the ring.

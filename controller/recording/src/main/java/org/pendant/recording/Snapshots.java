@@ -21,6 +21,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.ProgramStatus;
 import org.pendant.controller.state.SafetyStatus;
 import org.pendant.controller.state.SupplyVoltages;
+import org.pendant.controller.world.LinkDistances;
 import org.pendant.controller.world.MovedObject;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
@@ -50,7 +51,8 @@ record Snapshots(ArmDescription arm, ForwardKinematics kinematics) {
   ControllerState of(SegmentCursor at, long frame) {
     ArmState armState = armState(at);
     ArmReadings readings = readings(at);
-    double linkDistanceM = at.number(NumberGroup.LINKS, 0);
+    LinkDistances linkDistances =
+        new LinkDistances(at.number(NumberGroup.LINKS, 0), at.number(NumberGroup.LINKS, 1));
     FrameDelta frameDelta = (FrameDelta) at.part(SnapshotPart.NEWS);
     if (at.frame() != frame || !at.changed(SnapshotPart.NEWS)) {
       frameDelta = frameDelta.old();
@@ -63,7 +65,7 @@ record Snapshots(ArmDescription arm, ForwardKinematics kinematics) {
         at.frame() != frame,
         armState,
         readings,
-        new ArmGeometry(armState, readings, arm -> linkDistanceM),
+        new ArmGeometry(armState, readings, arm -> linkDistances),
         (SafetyStatus) at.part(SnapshotPart.SAFETY),
         (ProgramStatus) at.part(SnapshotPart.PROGRAM),
         (DebugState) at.part(SnapshotPart.DEBUG),

@@ -59,6 +59,7 @@ import org.pendant.controller.state.SafetyStatus;
 import org.pendant.controller.state.StopPlace;
 import org.pendant.controller.state.SupplyVoltages;
 import org.pendant.controller.wire.SignalGroupState;
+import org.pendant.controller.world.LinkDistances;
 import org.pendant.controller.world.MovedObject;
 import org.pendant.language.signature.Type;
 import org.pendant.language.source.SourceRange;
@@ -127,8 +128,8 @@ final class RandomStates {
             some(armBefore.map(ArmState::speedScaling), this::number),
             maybe(() -> new MotionFailure(text(), text())));
     ArmReadings readings = some(last.map(ControllerState::readings), this::readings);
-    double linkDistanceM = number();
-    LinkDistance links = each -> linkDistanceM;
+    LinkDistances distances = new LinkDistances(number(), number());
+    LinkDistance links = each -> distances;
     boolean news = random.nextInt(4) == 0;
     List<LogEntry> entries = news ? list(this::entry) : List.of();
     ControllerState state =

@@ -137,12 +137,12 @@ public final class RobotArm {
 
   /**
    * How near its links are to anything with the other arms where they are now, as {@link
-   * ArmSurroundings#nearestM} has it.
+   * ArmSurroundings#nearest} has it.
    */
   public double nearestM(Joints positionRad, Pose tcpInFlange) {
     double[] othersRad = new double[neighbours.numbers()];
     neighbours.read(othersRad);
-    return surroundings().nearestM(positionRad, tcpInFlange, othersRad);
+    return surroundings().nearest(positionRad, tcpInFlange, othersRad).nearestM();
   }
 
   /** What is felt at the flange. */

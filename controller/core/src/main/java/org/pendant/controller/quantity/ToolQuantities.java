@@ -24,8 +24,12 @@ final class ToolQuantities {
     list.group("elbow");
     addElbow(list);
     list.group("links");
-    list.number("link_distance", "nearestDistance", METRE, s -> s.geometry().linkDistanceM())
+    list.number(
+            "link_distance", "nearestDistance", METRE, s -> s.geometry().linkDistances().nearestM())
         .explained("linkDistanceExplained");
+    list.number(
+            "object_distance", "objectDistance", METRE, s -> s.geometry().linkDistances().objectM())
+        .explained("objectDistanceExplained");
     list.group("forces");
     addForces(list);
   }

@@ -1,5 +1,6 @@
 package org.pendant.controller.state;
 
+import org.pendant.controller.world.LinkDistances;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
@@ -20,7 +21,7 @@ public final class ArmGeometry {
   private ToolMotion target;
   private Wrench fromCurrents;
   private Wrench baseWrench;
-  private Double linkDistanceM;
+  private LinkDistances linkDistances;
 
   /** What follows from a snapshot's parts. */
   public ArmGeometry(ArmState arm, ArmReadings readings, LinkDistance links) {
@@ -35,14 +36,13 @@ public final class ArmGeometry {
   }
 
   /**
-   * How far a link of the arm is from another one, from an object that stands still or from another
-   * arm, at the nearest, m: below 0 by the depth inside. No number where nobody knows.
+   * How near the links of the arm are to one another, to objects that stand still, to other arms.
    */
-  public double linkDistanceM() {
-    Double known = linkDistanceM;
+  public LinkDistances linkDistances() {
+    LinkDistances known = linkDistances;
     if (known == null) {
-      known = links.nearestM(arm);
-      linkDistanceM = known;
+      known = links.of(arm);
+      linkDistances = known;
     }
     return known;
   }

@@ -1,11 +1,13 @@
 package org.pendant.controller.state;
 
+import org.pendant.controller.world.LinkDistances;
+
 /**
- * Link distance: how near a link of the arm is to another link, to what stands around it, or to
- * another arm.
+ * Link distance: how near the links of an arm are to one another, to what stands around it, and to
+ * other arms.
  */
 @FunctionalInterface
 public interface LinkDistance {
-  /** The distance where the arm is, m: below 0 by the depth inside. Any thread may ask. */
-  double nearestM(ArmState arm);
+  /** The distances where the arm is. Any thread may ask. */
+  LinkDistances of(ArmState arm);
 }

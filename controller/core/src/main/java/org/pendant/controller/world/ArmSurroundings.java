@@ -153,25 +153,41 @@ public final class ArmSurroundings implements LinkPairs {
   }
 
   /**
-   * How far the two of the nearest pair are apart, m: below 0 by the depth where they overlap.
-   * Pairs that no joint can change do not count, such as the shoulder and a floor below it. No
-   * number for an arm of which no shape is known. Any thread may ask where nobody calls another
-   * method.
+   * How far the two of the nearest pair are apart, and those of the nearest that is not of two
+   * links of this arm: these are near to each other in postures that nothing is wrong with. Pairs
+   * that no joint can change do not count, such as the shoulder and a floor below it. No number for
+   * an arm of which no shape is known. Any thread may ask where nobody calls another method.
    *
    * @param othersRad as {@link #moveOthers} takes it
    */
-  public synchronized double nearestM(Joints positionRad, Pose tcpInFlange, double[] othersRad) {
+  public synchronized LinkDistances nearest(
+      Joints positionRad, Pose tcpInFlange, double[] othersRad) {
     positionRad.copyTo(q);
     moveOthers(othersRad);
     at(q);
     boolean bare = bareFlange(tcpInFlange);
-    double least = Double.POSITIVE_INFINITY;
+    double links = Double.POSITIVE_INFINITY;
+    double objects = Double.POSITIVE_INFINITY;
     for (int pair = 0; pair < pairs(); pair++) {
-      if (!unchanging(pair) && (!bare || !presses(pair))) {
-        least = Math.min(least, distanceM(pair, least));
+      if (unchanging(pair) || (bare && presses(pair))) {
+        continue;
+      }
+      if (ofLinks(pair)) {
+        links = Math.min(links, distanceM(pair, links));
+      } else {
+        objects = Math.min(objects, distanceM(pair, objects));
       }
     }
-    return least == Double.POSITIVE_INFINITY ? Double.NaN : least;
+    return new LinkDistances(known(Math.min(links, objects)), known(objects));
+  }
+
+  private static double known(double leastM) {
+    return leastM == Double.POSITIVE_INFINITY ? Double.NaN : leastM;
+  }
+
+  /** Whether the two of a pair are links of this arm. */
+  private boolean ofLinks(int pair) {
+    return !ofOthers(pair) && clearance.obstacle(pair) < 0;
   }
 
   /** The two of a pair, as one that overlaps by so much. */

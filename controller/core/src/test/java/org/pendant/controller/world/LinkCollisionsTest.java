@@ -211,8 +211,25 @@ class LinkCollisionsTest {
     Joints upright = new Joints(0, -HALF, 0, -HALF, HALF, 0);
     Pose tool = new Pose(0, 0, 0.1, 0, 0, 0);
     // the shoulder is 39 mm above it whatever joints do, the upper arm 42 mm while it points up
-    assertEquals(0.0419, above.nearestM(upright, tool, new double[0]), 1e-4);
+    assertEquals(0.0419, above.nearest(upright, tool, new double[0]).nearestM(), 1e-4);
     Joints bent = new Joints(0, -0.3, 0.6, -HALF, HALF, 0);
-    assertTrue(above.nearestM(bent, tool, new double[0]) < 0.03);
+    assertTrue(above.nearest(bent, tool, new double[0]).nearestM() < 0.03);
+  }
+
+  @Test
+  void theNearestObjectIsFartherThanLinksOfTheArmAreFromOneAnother() {
+    Joints down = new Joints(0, -HALF, -HALF, -HALF, HALF, 0);
+    Pose tool = new Pose(0, 0, 0.1, 0, 0, 0);
+    LinkDistances alone = new ArmSurroundings(UR5E, Scene.EMPTY).nearest(down, tool, new double[0]);
+    // forearm and wrist 3, with the tool down
+    assertEquals(0.097, alone.nearestM(), 1e-3);
+    assertEquals(Double.NaN, alone.objectM());
+
+    SceneObject ball =
+        new SceneObject.Sphere("ball", new Vector3(0.5, 0.2, 0.1), 0.05, Material.DEFAULT);
+    LinkDistances beside =
+        new ArmSurroundings(UR5E, scene(ball)).nearest(down, tool, new double[0]);
+    assertEquals(alone.nearestM(), beside.nearestM(), 1e-9);
+    assertTrue(beside.objectM() > 0.15, beside::toString);
   }
 }

@@ -20,7 +20,7 @@ final class StatusRow extends JPanel {
    */
   StatusRow(JComponent past, JComponent status) {
     super(new MigLayout("insets 0, gap 0, hidemode 3, filly"));
-    add(status, "grow, pushx 40, width 180:180:");
+    add(status, "grow, pushx 100, width 180:180:");
     add(past, "grow, pushx 300, width 0:0:");
   }
 

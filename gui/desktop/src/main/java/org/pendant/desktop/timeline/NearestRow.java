@@ -2,17 +2,20 @@ package org.pendant.desktop.timeline;
 
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BasicStroke;
+import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
+import java.util.Optional;
 import org.pendant.desktop.timeline.TimelinePainter.Sheet;
 import org.pendant.kit.theme.Palette;
 import org.pendant.recording.ColumnTrace;
 
 /**
- * Nearest row: how far the arm is from what is nearest, from 0 at the bottom; red where it is in
- * something, with what it has run into.
+ * Nearest row: how far the arm is from what is nearest around it, from 0 at the bottom, and in
+ * quiet how far its links are from one another where that is less; red where it is in something,
+ * with what it has run into.
  */
 final class NearestRow {
   /** As high as the row, m: what is farther away is no concern. */
@@ -28,7 +31,16 @@ final class NearestRow {
     Graphics2D pen = sheet.pen();
     pen.setColor(Palette.line());
     pen.draw(new Line2D.Double(sheet.left(), bottom, sheet.left() + sheet.width(), bottom));
-    tracks.nearestM().ifPresent(trace -> curve(sheet, trace, y, height));
+    Optional<ColumnTrace> objects = tracks.objectM();
+    tracks
+        .nearestM()
+        .ifPresent(
+            all -> {
+              if (objects.isPresent()) {
+                curve(sheet, all, Palette.quiet(), y, height);
+              }
+              curve(sheet, objects.orElse(all), Palette.series(5), y, height);
+            });
     double free = Double.NEGATIVE_INFINITY;
     for (Tracks.Hit hit : tracks.hits()) {
       if (sheet.sees(hit.timeS(), hit.timeS())) {
@@ -37,7 +49,7 @@ final class NearestRow {
     }
   }
 
-  private static void curve(Sheet sheet, ColumnTrace trace, double y, double height) {
+  private static void curve(Sheet sheet, ColumnTrace trace, Color color, double y, double height) {
     Graphics2D pen = sheet.pen();
     double bottom = y + height;
     double beforeX = Double.NaN;
@@ -53,7 +65,7 @@ final class NearestRow {
         pen.fill(
             new Rectangle2D.Double(x, y, Math.max(2, sheet.x(trace.timeS(i + 1)) - x), height));
       } else if (!Double.isNaN(beforeX) && !Double.isNaN(nearM)) {
-        pen.setColor(nearM < NEAR_M ? Palette.warning() : Palette.series(5));
+        pen.setColor(nearM < NEAR_M ? Palette.warning() : color);
         pen.draw(new Line2D.Double(beforeX, beforeY, x, at));
       }
       beforeX = Double.isNaN(nearM) ? Double.NaN : x;

@@ -33,6 +33,7 @@ import org.pendant.script.function.ScriptPlace;
  * @param outputs where a digital output changed
  * @param nearestM how far a link of the arm was from another one or an object; empty where nobody
  *     knows
+ * @param objectM how far one was from an object or another arm; empty where there was none
  * @param hits what the arm has run into
  * @param speedMPerS how fast the TCP went
  */
@@ -46,6 +47,7 @@ record Tracks(
     List<Bar> inputs,
     List<Bar> outputs,
     Optional<ColumnTrace> nearestM,
+    Optional<ColumnTrace> objectM,
     List<Hit> hits,
     Optional<ColumnTrace> speedMPerS) {
   /** Nothing was looked at yet. */
@@ -59,6 +61,7 @@ record Tracks(
           List.of(),
           List.of(),
           List.of(),
+          Optional.empty(),
           Optional.empty(),
           List.of(),
           Optional.empty());
@@ -118,17 +121,19 @@ record Tracks(
         warnings(recording, fromS, toS),
         edges(recording, range, buckets, true),
         edges(recording, range, buckets, false),
-        cell ? nearest(recording, range, buckets) : Optional.empty(),
+        cell ? distance("link_distance", recording, range, buckets) : Optional.empty(),
+        cell ? distance("object_distance", recording, range, buckets) : Optional.empty(),
         hits(marks),
         Optional.of(recording.scan(Column.of("tcp_speed", 0), fromS, toS, buckets)));
   }
 
-  private static Optional<ColumnTrace> nearest(Recording recording, TimeRange range, int buckets) {
-    ColumnTrace nearest =
-        recording.scan(Column.of("link_distance", 0), range.fromS(), range.toS(), buckets);
-    return IntStream.range(0, nearest.size()).allMatch(i -> Double.isNaN(nearest.lowest(i)))
+  private static Optional<ColumnTrace> distance(
+      String quantity, Recording recording, TimeRange range, int buckets) {
+    ColumnTrace distance =
+        recording.scan(Column.of(quantity, 0), range.fromS(), range.toS(), buckets);
+    return IntStream.range(0, distance.size()).allMatch(i -> Double.isNaN(distance.lowest(i)))
         ? Optional.empty()
-        : Optional.of(nearest);
+        : Optional.of(distance);
   }
 
   /** What stops tell of them. */
@@ -154,9 +159,15 @@ record Tracks(
       return about;
     }
     double mm = 1000 * trace.lowest(i);
-    return mm < 0
-        ? text("insideOfSomething", about, String.format(Locale.ROOT, "%.1f", -mm))
-        : text("nearestAt", about, String.format(Locale.ROOT, "%.0f", mm));
+    if (mm < 0) {
+      return text("insideOfSomething", about, String.format(Locale.ROOT, "%.1f", -mm));
+    }
+    double objectMm = 1000 * objectM.map(objects -> objects.lowest(i)).orElse(Double.NaN);
+    String least = String.format(Locale.ROOT, "%.0f", mm);
+    String object = String.format(Locale.ROOT, "%.0f", objectMm);
+    return Double.isNaN(objectMm) || object.equals(least)
+        ? text("nearestAt", about, least)
+        : text("nearestAndLinks", about, object, least);
   }
 
   /** What there is at a time, in words. */

@@ -34,7 +34,7 @@ final class StatusRowTest {
     say(true, "Looking at 1 s", "");
     int line = past.getX();
     assertEquals(0, status.getX());
-    assertEquals(300, line, 2);
+    assertEquals(435, line, 2);
     say(true, "Looking at 1111.000 s", "A long sentence of what was told last. ".repeat(5));
     assertEquals(0, status.getX());
     assertEquals(line, past.getX());

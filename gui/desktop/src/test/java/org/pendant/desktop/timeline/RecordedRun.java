@@ -12,8 +12,17 @@ import org.pendant.script.debug.Debugger;
 
 /** A controller that is recorded. */
 final class RecordedRun {
-  private final Controller controller = new Controller(ControllerOptions.headless());
-  final RecordingRing ring = new RecordingRing(controller.state(), controller::programSource);
+  private final Controller controller;
+  final RecordingRing ring;
+
+  RecordedRun() {
+    this(ControllerOptions.headless());
+  }
+
+  RecordedRun(ControllerOptions options) {
+    controller = new Controller(options);
+    ring = new RecordingRing(controller.state(), controller::programSource);
+  }
 
   RecordedRun start(String text) {
     var _ =

@@ -8,6 +8,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.world.Material;
+import org.pendant.controller.world.Scene;
+import org.pendant.controller.world.SceneObject;
+import org.pendant.controller.world.Vector3;
 import org.pendant.recording.RecordingMark;
 import org.pendant.recording.RecordingMark.Kind;
 
@@ -81,6 +86,22 @@ final class TracksTest {
     assertTrue(tracks.nearestM().orElseThrow().lowest(20) > 0.01);
     assertTrue(
         tracks.about(0.05, 0, NODES).matches(".*p runs, nearest \\d+ mm"),
+        tracks.about(0.05, 0, NODES));
+  }
+
+  @Test
+  void anObjectThatIsFartherAwayThanLinksAreFromEachOtherIsToldBesideThem() {
+    SceneObject ball =
+        new SceneObject.Sphere("ball", new Vector3(0.5, 0.2, 0.1), 0.05, Material.DEFAULT);
+    Scene scene = new Scene(List.of(ball), Optional.empty(), List.of());
+    RecordedRun run = new RecordedRun(ControllerOptions.headless().withScene(scene)).frames(50);
+    Tracks tracks = Tracks.of(run.ring.recording(), new TimeRange(0, 0.1), 50, false, true);
+    double objectM = tracks.objectM().orElseThrow().lowest(20);
+    assertTrue(objectM > tracks.nearestM().orElseThrow().lowest(20));
+    assertEquals(
+        LookBack.text(0.05)
+            + String.format(
+                Locale.ROOT, ", nearest %.0f mm, links 97 mm from each other", 1000 * objectM),
         tracks.about(0.05, 0, NODES));
   }
 
