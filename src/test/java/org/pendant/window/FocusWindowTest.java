@@ -145,6 +145,16 @@ final class FocusWindowTest {
   }
 
   @Test
+  void keysOfAButtonThatIsUsedUpGoToItsScreenNotToTheButtonBesideIt() {
+    window.perform("New scene");
+    window.click("cell-object-add-box");
+    window.awaitEnabled("cell-undo");
+    window.click("cell-undo");
+    window.awaitFocus("cell-object-list");
+    window.press("alt 3");
+  }
+
+  @Test
   void anOpenedScriptIsShownWithTheKeysInIt() throws IOException {
     Path file = Files.writeString(folder.resolve("opened.script"), "one = 1\n");
     window.click("rail-log");

@@ -78,9 +78,18 @@ final class CellBar {
         document.file().map(file -> file.toAbsolutePath().toString()).orElse(text("notSavedYet")));
     name.getAccessibleContext()
         .setAccessibleName(text(document.modified() ? "sceneNotSaved" : "scene", document.name()));
-    save.setEnabled(document.modified() || document.file().isEmpty());
-    undo.setEnabled(draft.canUndo());
-    redo.setEnabled(draft.canRedo());
+    enable(save, document.modified() || document.file().isEmpty());
+    enable(undo, draft.canUndo());
+    enable(redo, draft.canRedo());
+  }
+
+  /** Keys of a button that is disabled go to the screen, not to the button beside it. */
+  private void enable(JButton button, boolean enabled) {
+    boolean keysLeave = !enabled && button.isFocusOwner();
+    button.setEnabled(enabled);
+    if (keysLeave) {
+      workbench.show(CellView.ID);
+    }
   }
 
   /** Shows whether the draft is around the arm. */
@@ -88,7 +97,7 @@ final class CellBar {
     boolean waits =
         workbench.actions().all().stream()
             .anyMatch(each -> each.id().equals(APPLY) && each.enabled().getAsBoolean());
-    apply.setEnabled(waits);
+    enable(apply, waits);
     waiting.say(waits ? text("the3dViewShowsYourChanges") : "");
   }
 }
