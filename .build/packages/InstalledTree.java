@@ -8,6 +8,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
@@ -24,12 +25,20 @@ final class InstalledTree {
   private final Path library;
   private final Path share;
   private final PackageArchitecture processor;
+  private final Optional<Path> jmods;
   private final Instant time;
 
-  InstalledTree(Path project, Path tree, PackageArchitecture processor, Instant time) {
+  /**
+   * A tree that is not made yet.
+   *
+   * @param jmods modules of another JDK that the runtime is linked of, instead of this one
+   */
+  InstalledTree(
+      Path project, Path tree, PackageArchitecture processor, Optional<Path> jmods, Instant time) {
     this.project = project;
     this.tree = tree;
     this.processor = processor;
+    this.jmods = jmods;
     this.time = time;
     library = tree.resolve("lib/pendant");
     share = tree.resolve("share");
@@ -55,21 +64,35 @@ final class InstalledTree {
     // jlink keeps its plugins in a map by identity, hence runs those of one kind in an order that
     // changes: all of them get the same hash. Of a JDK without jmods it takes folders in the order
     // in which this process has looked at them first: resources get an order of their own.
-    ExternalProgram.run(
-        jlink.toString(),
-        "-J-XX:+UseSerialGC",
-        "-J-XX:+UnlockExperimentalVMOptions",
-        "-J-XX:hashCode=2",
-        "--order-resources=**",
-        "--add-modules",
-        modules,
-        "--strip-debug",
-        "--no-man-pages",
-        "--no-header-files",
-        "--compress",
-        "zip-6",
-        "--output",
-        library.resolve("runtime").toString());
+    List<String> command =
+        new ArrayList<>(
+            List.of(
+                jlink.toString(),
+                "-J-XX:+UseSerialGC",
+                "-J-XX:+UnlockExperimentalVMOptions",
+                "-J-XX:hashCode=2",
+                "--order-resources=**",
+                "--add-modules",
+                modules,
+                "--no-man-pages",
+                "--no-header-files",
+                "--compress",
+                "zip-6",
+                "--output",
+                library.resolve("runtime").toString()));
+    if (jmods.isEmpty()) {
+      command.add("--strip-debug");
+    } else {
+      // The objcopy by which jlink strips libraries knows the processor of this computer. Those of
+      // JDKs are stripped, with what was in them in files beside them.
+      command.addAll(
+          List.of(
+              "--module-path",
+              jmods.get().toString(),
+              "--strip-java-debug-attributes",
+              "--exclude-files=**.debuginfo"));
+    }
+    ExternalProgram.run(command.toArray(String[]::new));
   }
 
   private void copyJars() throws IOException, InterruptedException {
@@ -130,7 +153,10 @@ final class InstalledTree {
 
   /** What the commands and options are made into. */
   private void generate() throws IOException, InterruptedException {
-    String java = library.resolve("runtime/bin/java").toString();
+    // The runtime itself, unless it is for another computer.
+    Path home =
+        jmods.isPresent() ? Path.of(System.getProperty("java.home")) : library.resolve("runtime");
+    String java = home.resolve("bin/java").toString();
     String jar = library.resolve("app/pendant.jar").toString();
     Path manual = Files.createDirectories(share.resolve("man/man1"));
     ExternalProgram.run(

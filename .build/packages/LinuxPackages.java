@@ -5,11 +5,14 @@ import java.nio.file.StandardCopyOption;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Makes the packages for Linux from what Maven has built: an archive, and a Debian package where
  * there is {@code dpkg-deb}; docs/packages.md says what is in them. They are for the processor that
- * this runs on. Built twice by the same JDK, the same sources give the same packages.
+ * this runs on, or for that of the JDK whose modules are in the folder that the system property
+ * {@code packages.jmods} names. Built twice by the same JDK, the same sources give the same
+ * packages.
  */
 final class LinuxPackages {
   private LinuxPackages() {}
@@ -33,10 +36,17 @@ final class LinuxPackages {
     InstalledTree.delete(packages);
     Files.createDirectories(packages);
 
-    PackageArchitecture processor = PackageArchitecture.ofThisMachine();
+    Optional<Path> jmods =
+        Optional.of(System.getProperty("packages.jmods", ""))
+            .filter(each -> !each.isEmpty())
+            .map(Path::of);
+    PackageArchitecture processor =
+        jmods.isPresent()
+            ? PackageArchitecture.ofModules(jmods.get())
+            : PackageArchitecture.ofThisMachine();
     String name = "pendant-" + version + "-linux-" + processor.name();
     Path tree = packages.resolve("tree").resolve(name);
-    new InstalledTree(project, tree, processor, time).make();
+    new InstalledTree(project, tree, processor, jmods, time).make();
 
     List<Path> made = new ArrayList<>();
     made.add(archive(tree, packages.resolve(name + ".tar.gz"), time));
