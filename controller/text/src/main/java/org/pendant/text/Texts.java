@@ -30,11 +30,13 @@ public final class Texts {
   private final String name;
   private final Map<String, String> texts;
   private final UnaryOperator<String> translate;
+  private final Joining joining;
 
-  private Texts(String name, Map<String, String> texts, UnaryOperator<String> translate) {
+  private Texts(String name, Map<String, String> texts, UnaryOperator<String> translate, Joining joining) {
     this.name = name;
     this.texts = texts;
     this.translate = translate;
+    this.joining = joining;
   }
 
   /**
@@ -97,7 +99,7 @@ public final class Texts {
     if (language != Language.ENGLISH) {
       read(owner, name + "_" + language.code(), texts);
     }
-    return new Texts(name, texts, translate);
+    return new Texts(name, texts, translate, Joining.of(language));
   }
 
   private static boolean read(Class<?> owner, String name, Map<String, String> into) {
@@ -145,10 +147,10 @@ public final class Texts {
     if (text == null) {
       throw new MissingResourceException("no text " + key + " of " + name, name, key);
     }
-    return values.length == 0 ? text : filled(text, values, translate);
+    return values.length == 0 ? text : filled(text, values);
   }
 
-  private static String filled(String text, Object[] values, UnaryOperator<String> translate) {
+  private String filled(String text, Object[] values) {
     StringBuilder filled = new StringBuilder(text.length() + 16 * values.length);
     int from = 0;
     for (int at = text.indexOf('{'); at >= 0; at = text.indexOf('{', from)) {
@@ -156,14 +158,15 @@ public final class Texts {
       boolean place = index >= 0 && index < values.length;
       boolean plain = place && text.startsWith("}", at + 2);
       boolean translated = place && text.startsWith("*}", at + 2);
-      filled.append(text, from, plain || translated ? at : at + 1);
+      joining.append(filled, text.substring(from, plain || translated ? at : at + 1));
       if (plain) {
-        filled.append(values[index]);
+        joining.append(filled, String.valueOf(values[index]));
       } else if (translated) {
-        filled.append(translate.apply(String.valueOf(values[index])));
+        joining.append(filled, translate.apply(String.valueOf(values[index])));
       }
       from = plain ? at + 3 : translated ? at + 4 : at + 1;
     }
-    return filled.append(text, from, text.length()).toString();
+    joining.append(filled, text.substring(from));
+    return filled.toString();
   }
 }

@@ -36,10 +36,12 @@ public final class Translations {
 
   private final Map<String, String> plain;
   private final List<Translated> filled;
+  private final Joining joining;
 
-  private Translations(Map<String, String> plain, List<Translated> filled) {
+  private Translations(Map<String, String> plain, List<Translated> filled, Joining joining) {
     this.plain = plain;
     this.filled = filled;
+    this.joining = joining;
   }
 
   /** A text with places, and what it is in the other language. */
@@ -73,7 +75,7 @@ public final class Translations {
       }
     }
     filled.sort(Comparator.comparingInt(each -> -each.english().weight()));
-    return new Translations(plain, filled);
+    return new Translations(plain, filled, Joining.of(language));
   }
 
   private static Map<String, String> read(ClassLoader loader, String bundle) {
@@ -177,7 +179,8 @@ public final class Translations {
         int at = text.english().indexOf(place.number());
         String value = at < 0 ? "" : values.get(at);
         Said put = place.isText() ? said(value, depth + 1) : new Said(value, value.length());
-        said.append(put.text()).append(other.pieces().get(i + 1));
+        joining.append(said, put.text());
+        joining.append(said, other.pieces().get(i + 1));
         left += put.values();
       }
       return new Said(said.toString(), left);

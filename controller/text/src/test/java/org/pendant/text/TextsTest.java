@@ -38,6 +38,14 @@ class TextsTest {
   }
 
   @Test
+  void aSpaceIsBetweenChineseCharactersAndLatinLettersOrDigits() {
+    Texts chinese = Texts.of(TextsTest.class, Language.CHINESE);
+    assertEquals("显示 Log 的 3 行", chinese.get("rows", "Log", 3));
+    assertEquals("显示日志的全部行", chinese.get("rows", "日志", "全部"));
+    assertEquals("显示“Log”的 3 行", chinese.get("rows", "“Log”", " 3 "));
+  }
+
+  @Test
   void apostrophesAndBracesThatAreNoPlacesStayAndValuesAreNotReadAgain() {
     assertEquals("It isn't {x} {2}, {", english.get("odd", "{x}"));
     assertEquals("It isn't {1} {2}, {", english.get("odd", "{1}"));
