@@ -30,6 +30,7 @@ import org.pendant.desktop.shell.Desktop;
  */
 final class Driver {
   private final PaintGuard guard = new PaintGuard();
+  private final TextRoom room = new TextRoom();
   private final Hands hands;
 
   private Driver() throws AWTException {
@@ -176,6 +177,30 @@ final class Driver {
       }
       case "nameless" -> {
         return Places.dispatched(() -> Eyes.nameless(Places.find(what)));
+      }
+      case "use" -> {
+        return Places.dispatched(() -> Choices.use(what));
+      }
+      case "use-of" -> {
+        return Places.dispatched(() -> Choices.useOf(what));
+      }
+      case "select" -> {
+        return Places.dispatched(() -> Choices.select(what));
+      }
+      case "choices" -> {
+        return Places.dispatched(() -> Integer.toString(Choices.count(Places.find(what))));
+      }
+      case "items" -> {
+        return Places.dispatched(() -> String.join("\n", Choices.items().keySet()));
+      }
+      case "cut" -> {
+        return Places.dispatched(room::look);
+      }
+      case "large-menus" -> {
+        return Places.dispatched(() -> room.menus((JFrame) Places.find("pendant")));
+      }
+      case "texts" -> {
+        return Places.dispatched(room::count);
       }
       case "complaints" -> {
         return String.join("\n", guard.complaints());

@@ -165,15 +165,17 @@ final class Eyes {
 
   /** The names of what is visible in any window that begin with {@code prefix}, a line each. */
   static String named(String prefix) {
-    return String.join(
-        "\n",
-        Stream.of(Window.getWindows())
-            .filter(Window::isShowing)
-            .flatMap(Eyes::all)
-            .filter(Component::isShowing)
-            .map(Component::getName)
-            .filter(name -> name != null && name.startsWith(prefix))
-            .toList());
+    return String.join("\n", beginning(prefix).stream().map(Component::getName).toList());
+  }
+
+  /** What is visible in any window whose name begins with {@code prefix}. */
+  static List<Component> beginning(String prefix) {
+    return Stream.of(Window.getWindows())
+        .filter(Window::isShowing)
+        .flatMap(Eyes::all)
+        .filter(Component::isShowing)
+        .filter(each -> each.getName() != null && each.getName().startsWith(prefix))
+        .toList();
   }
 
   /** Every entry of every menu that is there, with the menus it is in, a line each. */

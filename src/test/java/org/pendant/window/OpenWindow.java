@@ -281,6 +281,48 @@ final class OpenWindow implements AutoCloseable {
     act("size", size);
   }
 
+  /** Presses a button, or an item of the menu bar, by its name: in windows of any language. */
+  void use(String name) {
+    ask("use", name);
+  }
+
+  /** Presses one of the visible buttons whose names begin so, by its number, from 0. */
+  void use(String prefix, int index) {
+    ask("use-of", prefix + "=" + index);
+  }
+
+  /** The names of all items of the menu bar, which are their actions'. */
+  List<String> items() {
+    return ask("items", "").lines().toList();
+  }
+
+  /** How many rows, items or tabs there are to choose from. */
+  int choices(String name) {
+    awaitShown(name);
+    return Integer.parseInt(ask("choices", name));
+  }
+
+  /** Chooses a row, an item or a tab by its number, from 0. */
+  void select(String name, int index) {
+    awaitShown(name);
+    ask("select", name + "=" + index);
+  }
+
+  /** Texts for which there is too little room, a line each. */
+  List<String> cutTexts() {
+    return ask("cut", "").lines().toList();
+  }
+
+  /** Menus that are too large for a small window, a line each. */
+  List<String> largeMenus() {
+    return ask("large-menus", "").lines().toList();
+  }
+
+  /** How many texts were looked at for their room. */
+  String lookedAtTexts() {
+    return ask("texts", "");
+  }
+
   /** Whether a component is visible. */
   boolean shows(String name) {
     return Boolean.parseBoolean(ask("shows", name));

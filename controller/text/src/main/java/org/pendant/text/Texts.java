@@ -32,7 +32,8 @@ public final class Texts {
   private final UnaryOperator<String> translate;
   private final Joining joining;
 
-  private Texts(String name, Map<String, String> texts, UnaryOperator<String> translate, Joining joining) {
+  private Texts(
+      String name, Map<String, String> texts, UnaryOperator<String> translate, Joining joining) {
     this.name = name;
     this.texts = texts;
     this.translate = translate;

@@ -30,6 +30,7 @@ import javax.swing.JPanel;
 import javax.swing.ListCellRenderer;
 import javax.swing.ListSelectionModel;
 import javax.swing.SwingConstants;
+import javax.swing.ToolTipManager;
 import javax.swing.UIManager;
 import org.pendant.kit.theme.Palette;
 
@@ -61,6 +62,7 @@ final class WireList extends JList<WireRow> {
     setCellRenderer(new Cell());
     setFixedCellHeight(UIScale.scale(22));
     setBackground(Palette.card());
+    ToolTipManager.sharedInstance().registerComponent(this);
     addListSelectionListener(event -> skipHeading());
   }
 
@@ -274,6 +276,15 @@ final class WireList extends JList<WireRow> {
       note.setHorizontalAlignment(pinsRight ? SwingConstants.LEADING : SwingConstants.TRAILING);
       add(words, BorderLayout.CENTER);
       add(pin, pinsRight ? BorderLayout.EAST : BorderLayout.WEST);
+    }
+
+    /** What the row says where there is no room for all of it. */
+    @Override
+    public String getToolTipText(MouseEvent event) {
+      boolean whole =
+          text.getPreferredSize().width <= text.getWidth()
+              && note.getPreferredSize().width <= note.getWidth();
+      return whole ? null : text.getText() + " \u2013 " + note.getText();
     }
 
     @Override

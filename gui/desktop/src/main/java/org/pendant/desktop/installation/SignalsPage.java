@@ -2,6 +2,7 @@ package org.pendant.desktop.installation;
 
 import static org.pendant.desktop.installation.InstallationTexts.text;
 
+import java.awt.Component;
 import java.awt.event.ActionEvent;
 import java.util.Locale;
 import javax.swing.AbstractAction;
@@ -16,11 +17,13 @@ import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import javax.swing.table.TableCellEditor;
+import javax.swing.table.TableCellRenderer;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.form.Remark;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
+import org.pendant.kit.table.TableLook;
 import org.pendant.kit.theme.Palette;
 
 /** Signals page: names, uses and levels of all signals. */
@@ -49,6 +52,7 @@ final class SignalsPage implements Page {
     for (int i = 0; i < widths.length; i++) {
       table.getColumnModel().getColumn(i).setPreferredWidth(widths[i]);
     }
+    TableLook.fitTitles(table);
     TitledCard.named(group, "signals-group", text("whichSignalsAreListed"));
     group.addActionListener(
         event -> {
@@ -128,6 +132,13 @@ final class SignalsPage implements Page {
               "signals-editor",
               signals.getColumnName(column).toLowerCase(Locale.ROOT));
       return new DefaultCellEditor(box);
+    }
+
+    @Override
+    public Component prepareRenderer(TableCellRenderer renderer, int row, int column) {
+      return TableLook.tellingCut(
+          super.prepareRenderer(renderer, row, column),
+          getColumnModel().getColumn(column).getWidth());
     }
 
     @Override

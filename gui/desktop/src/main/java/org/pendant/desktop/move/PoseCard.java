@@ -18,6 +18,7 @@ import org.pendant.desktop.unit.RotationForm;
 import org.pendant.kit.form.HoldButton;
 import org.pendant.kit.form.Remark;
 import org.pendant.kit.form.RemarkSpace;
+import org.pendant.kit.layout.FlushRow;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 
@@ -48,7 +49,7 @@ final class PoseCard {
     TitledCard.named(align, "move-align", text("holdToTurnTheToolParallel"));
     card.add(where);
     card.add(choices(), "grow");
-    card.add(fields.component(), "grow, gaptop 8");
+    card.add(fields.component(), "grow, wmin 0, gaptop 8");
     card.add(new RemarkSpace(2, problem, note, hint), Remark.LAYOUT);
     card.add(buttons(copy, waypoint), "grow, gaptop 8");
   }
@@ -115,8 +116,7 @@ final class PoseCard {
     TitledCard.named(insert, "move-insert-movel", text("insertMovelToThePoseIn"));
     insert.addActionListener(event -> waypoint.accept("movel(" + presenter.poseScript() + ")"));
     TitledCard.compact(go, align, reset, copyButton, insert);
-    JPanel row = new JPanel(new MigLayout("insets 0, gap 6", "[][][grow][][]"));
-    row.setOpaque(false);
+    JPanel row = new FlushRow(6);
     row.add(go);
     row.add(reset);
     row.add(align);

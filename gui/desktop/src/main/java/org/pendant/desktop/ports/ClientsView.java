@@ -46,6 +46,7 @@ import org.pendant.kit.export.SaveRequest;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.layout.WrappingRow;
+import org.pendant.kit.table.TableLook;
 import org.pendant.protocols.trace.LiveTrace;
 import org.pendant.protocols.trace.WireMessage;
 import org.pendant.protocols.wire.Direction;
@@ -285,6 +286,7 @@ public final class ClientsView implements View {
     for (int i = 0; i < widths.length; i++) {
       columns.getColumn(i).setPreferredWidth(UIScale.scale(widths[i]));
     }
+    TableLook.fitTitles(table);
   }
 
   /** Columns are at least so wide. */
@@ -292,6 +294,7 @@ public final class ClientsView implements View {
     for (int i = 0; i < widths.length; i++) {
       table.getColumnModel().getColumn(i).setMinWidth(UIScale.scale(widths[i]));
     }
+    TableLook.fitTitles(table);
   }
 
   /** What does something to the robot stands out. */

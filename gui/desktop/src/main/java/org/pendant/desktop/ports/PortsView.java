@@ -33,6 +33,7 @@ import org.pendant.kit.layout.SettledScroll;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.layout.WideContent;
+import org.pendant.kit.table.TableLook;
 import org.pendant.kit.text.Messages;
 import org.pendant.kit.theme.Palette;
 
@@ -171,6 +172,7 @@ public final class PortsView implements View {
     table.getColumnModel().getColumn(0).setPreferredWidth(170);
     table.getColumnModel().getColumn(1).setPreferredWidth(150);
     table.getColumnModel().getColumn(2).setPreferredWidth(60);
+    TableLook.fitTitles(table);
     JScrollPane scroll = InnerScroll.of(new JScrollPane(table));
     scroll.setBorder(BorderFactory.createEmptyBorder(0, GAP, GAP, GAP));
     return scroll;

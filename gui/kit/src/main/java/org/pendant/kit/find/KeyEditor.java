@@ -2,6 +2,7 @@ package org.pendant.kit.find;
 
 import static org.pendant.kit.find.FindTexts.text;
 
+import java.awt.Component;
 import java.awt.KeyboardFocusManager;
 import java.awt.event.KeyAdapter;
 import java.awt.event.KeyEvent;
@@ -16,12 +17,14 @@ import javax.swing.JTable;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
+import javax.swing.table.TableCellRenderer;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.ActionTable;
 import org.pendant.kit.action.KeyText;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.layout.WrappingRow;
+import org.pendant.kit.table.TableLook;
 import org.pendant.kit.theme.Overlay;
 import org.pendant.kit.theme.Palette;
 
@@ -47,7 +50,15 @@ public final class KeyEditor {
   public KeyEditor(ActionTable actions, JComponent under) {
     this.actions = actions;
     model = new KeyTable(actions);
-    table = new JTable(model);
+    table =
+        new JTable(model) {
+          @Override
+          public Component prepareRenderer(TableCellRenderer renderer, int row, int column) {
+            return TableLook.tellingCut(
+                super.prepareRenderer(renderer, row, column),
+                getColumnModel().getColumn(column).getWidth());
+          }
+        };
     JPanel panel =
         new JPanel(
             new MigLayout(

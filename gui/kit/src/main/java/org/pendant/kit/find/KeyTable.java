@@ -43,8 +43,8 @@ final class KeyTable extends RowsModel<Action> {
       case 1 -> KeyText.shown(keys);
       default ->
           !actions.conflicts(action.id(), keys).isEmpty()
-              ? "conflict"
-              : actions.rebound(action.id()) ? "changed" : "";
+              ? text("conflict")
+              : actions.rebound(action.id()) ? text("changed") : "";
     };
   }
 }

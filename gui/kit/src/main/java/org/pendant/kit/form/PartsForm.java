@@ -334,7 +334,7 @@ public final class PartsForm<T> {
       Function<T, C> get,
       BiFunction<T, C, T> with) {
     JComboBox<C> box =
-        TitledCard.named(ShownFocus.of(new JComboBox<C>()), id + "-" + nameOf(label), tip);
+        TitledCard.named(ShownFocus.of(new Choice<>(words)), id + "-" + nameOf(label), tip);
     box.setRenderer(new Words<>(words));
     Remark problem = new Remark(box.getName() + "-problem", Palette::error);
     List<C> shown = new ArrayList<>();
@@ -531,6 +531,23 @@ public final class PartsForm<T> {
   public PartsForm<T> follow(Consumer<T> follower) {
     followers.add(follower::accept);
     return this;
+  }
+
+  /** Tells what is chosen, which a narrow form may have no room for, and what it is for. */
+  @SuppressWarnings("serial") // never written to a stream
+  private static final class Choice<C> extends JComboBox<C> {
+    private final transient Function<C, String> words;
+
+    Choice(Function<C, String> words) {
+      this.words = words;
+    }
+
+    @Override
+    public String getToolTipText() {
+      int index = getSelectedIndex();
+      String tip = super.getToolTipText();
+      return index < 0 ? tip : words.apply(getItemAt(index)) + " \u2013 " + tip;
+    }
   }
 
   /** What a choice is called. */

@@ -96,6 +96,8 @@ final class ChoiceView implements FieldView {
     String said = panel.say(missing.isEmpty() ? problem : missing);
     box.putClientProperty("JComponent.outline", said.isEmpty() ? null : "error");
     String text = box.getSelectedItem() instanceof Option option ? option.text() : "";
-    FieldViews.describe(box, said, text);
+    // a narrow form has no room for all of it
+    FieldViews.describe(
+        box, said.isEmpty() || text.isEmpty() ? said : text + " \u2013 " + said, text);
   }
 }

@@ -2,6 +2,7 @@ package org.pendant.desktop.program.form;
 
 import static org.pendant.desktop.program.form.FormTexts.text;
 
+import java.awt.Insets;
 import java.util.List;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -17,8 +18,8 @@ final class NumberView implements FieldView {
   private static final int COLUMNS = 7;
   private static final int FEW_COLUMNS = 5;
 
-  /** What a field has at least; in a narrow form its unit stays in sight before more of it does. */
-  private static final String LEAST = "wmin 52";
+  /** Width of a field at least; in a narrow form its unit stays in sight before more of it does. */
+  private static final int LEAST = 64;
 
   private final TypedField field;
   private final JLabel unit = new JLabel();
@@ -47,13 +48,20 @@ final class NumberView implements FieldView {
     views.named(field, number);
     unit.setLabelFor(field);
     row.setOpaque(false);
-    row.add(field, LEAST);
+    row.add(field, "wmin " + least());
     row.add(unit);
     legal.setForeground(Palette.quiet());
     row.add(legal);
     squeeze = new Squeeze(row, List.of(legal::setVisible));
     panel = new FieldPanel(row, field.getName(), field::refusal);
     show(number);
+  }
+
+  /** What it means when it is empty can be read in it. */
+  private int least() {
+    Insets insets = field.getInsets();
+    int words = field.getFontMetrics(field.getFont()).stringWidth(item.whenEmpty());
+    return Math.max(LEAST, words + insets.left + insets.right);
   }
 
   private String canonical(String typed) {

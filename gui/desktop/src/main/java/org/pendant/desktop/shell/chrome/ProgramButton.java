@@ -36,8 +36,9 @@ final class ProgramButton extends JButton {
   void show(ProgramDocument document) {
     String name = document.name() + (document.modified() ? " \u2022" : "");
     setText(name);
-    String place = document.file().map(Object::toString).orElse(text("notSavedYet"));
+    String place =
+        document.file().map(Object::toString).orElse(text("nameNotSavedYet", document.name()));
     setToolTipText(document.modified() ? text("modified", place) : place);
-    getAccessibleContext().setAccessibleDescription(name + ", " + getToolTipText());
+    getAccessibleContext().setAccessibleDescription(getToolTipText());
   }
 }

@@ -22,6 +22,7 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.Pace;
 import org.pendant.controller.WallClock.Lateness;
 import org.pendant.kit.fault.Faults;
+import org.pendant.kit.theme.Markup;
 import org.pendant.kit.theme.Palette;
 import org.pendant.models.time.FrameTime;
 
@@ -205,7 +206,7 @@ public final class StatusLine extends JPanel {
     boolean due = !held && !wasHeld && pace.equals(lastPace);
     punctual.setForeground(Palette.warning());
     punctual.setText(due ? text(pace, lateness.frames() - frames, passedS) : " ");
-    punctual.setToolTipText(explanation(lateness, behindS));
+    punctual.setToolTipText(Markup.toolTip(explanation(lateness, behindS)));
     frames = lateness.frames();
     sinceNs = now;
     wasHeld = held;

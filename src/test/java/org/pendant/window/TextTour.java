@@ -1,0 +1,175 @@
+package org.pendant.window;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.pendant.text.Language;
+
+/**
+ * Text tour: goes through everything that a small window shows, in one language, and gathers the
+ * texts that have too little room. What it uses it names by what is the same in every language.
+ */
+final class TextTour {
+  /** Looks that find something before it counts: rows that wrap ask for their height later. */
+  private static final int SURE = 10;
+
+  private final OpenWindow window;
+
+  /** What is cut, with the place where it was met first, by what does not change with numbers. */
+  private final Map<String, String> cut = new LinkedHashMap<>();
+
+  private TextTour(OpenWindow window) {
+    this.window = window;
+  }
+
+  /** What there is to know after a tour. */
+  record Report(List<String> cut, String lookedAt) {}
+
+  /** What is gone through. */
+  enum Part {
+    /** Screens, panels and pages of the installation. */
+    SCREENS(TextTour::everyScreen),
+    /** Forms of all kinds of nodes. */
+    NODES(TextTour::nodes),
+    /** Forms of all kinds of devices, objects, and the wires. */
+    CELL(TextTour::cell),
+    /** Windows and panels that ask for something or help. */
+    DIALOGS(TextTour::dialogs);
+
+    private final Steps steps;
+
+    Part(Steps steps) {
+      this.steps = steps;
+    }
+  }
+
+  private interface Steps {
+    void of(TextTour tour);
+  }
+
+  /**
+   * Opens a window and goes through it.
+   *
+   * @param folder for its settings
+   */
+  static Report of(Language language, VirtualDisplay display, Path folder, Collection<Part> parts)
+      throws IOException {
+    FormSheet.prepare(folder);
+    try (OpenWindow window =
+        OpenWindow.open(display, folder, "-Duser.language=" + language.code())) {
+      window.resize("1024x700");
+      TextTour tour = new TextTour(window);
+      for (Part each : parts) {
+        each.steps.of(tour);
+      }
+      List<String> lines = new ArrayList<>(window.largeMenus());
+      lines.addAll(tour.cut.values());
+      return new Report(lines, window.lookedAtTexts());
+    }
+  }
+
+  private void everyScreen() {
+    screens();
+    panels();
+    each("installation-pages", "rail-installation");
+  }
+
+  private void nodes() {
+    each("program-tree", "rail-program");
+    each("program-tabs", "rail-program");
+  }
+
+  private void screens() {
+    for (String each : window.named("rail-")) {
+      show(each);
+    }
+  }
+
+  private void panels() {
+    for (String each : window.items()) {
+      if (each.startsWith("menu-view-")) {
+        show(each);
+      }
+    }
+  }
+
+  private void cell() {
+    window.use("menu-example-cell-tend-machine");
+    window.use("menu-view-cell");
+    window.awaitShown("cell-device-add");
+    window.use("cell-device-add");
+    int kinds = window.named("cell-device-add-").size();
+    for (int i = 0; i < kinds; i++) {
+      window.use("cell-device-add-", i);
+    }
+    window.press("ESCAPE");
+    each("cell-device-list", "menu-view-cell");
+    each("cell-object-list", "menu-view-cell");
+    each("cell-pages", "menu-view-cell");
+  }
+
+  private void dialogs() {
+    for (String each :
+        List.of(
+            "file-open",
+            "file-save-as",
+            "file-open-recording",
+            "installation-open",
+            "scene-file-open",
+            "scene-file-save-as",
+            "waveforms-open",
+            "sweep-open",
+            "log-export")) {
+      window.use("menu-" + each);
+      String dialog = each.contains("open") ? "open-dialog" : "save-dialog";
+      window.awaitFocus(dialog);
+      look(each);
+      window.press("ESCAPE");
+      window.awaitHidden(dialog);
+    }
+    for (String each :
+        List.of("documentation", "shortcuts", "about", "palette", "keys", "welcome")) {
+      show("menu-help-" + each);
+    }
+  }
+
+  /** Uses something and looks at what has come of it. */
+  private void show(String name) {
+    window.use(name);
+    look(name);
+  }
+
+  /** Every row, item or tab of something, after a way to it. */
+  private void each(String name, String way) {
+    window.use(way);
+    for (int i = 0; i < window.choices(name); i++) {
+      window.select(name, i);
+      look(name + " " + i);
+    }
+  }
+
+  /** Looks several times, and takes what every look finds: numbers change all the time. */
+  private void look(String where) {
+    Map<String, String> found = new LinkedHashMap<>(found());
+    AtomicInteger looks = new AtomicInteger();
+    window.await(
+        "the window is laid out",
+        () -> {
+          found.keySet().retainAll(found().keySet());
+          return found.isEmpty() || looks.incrementAndGet() >= SURE;
+        });
+    found.forEach((each, text) -> cut.putIfAbsent(each, where + ": " + text));
+  }
+
+  /** What one look finds, by what does not change with numbers. */
+  private Map<String, String> found() {
+    Map<String, String> found = new LinkedHashMap<>();
+    window.cutTexts().forEach(each -> found.put(each.replaceAll("[0-9.]+", "0"), each));
+    return found;
+  }
+}
