@@ -18,6 +18,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.editor.Execution;
 import org.pendant.desktop.editor.ScriptEditor;
 import org.pendant.desktop.lines.MotionView;
+import org.pendant.desktop.log.LogPlace;
 import org.pendant.desktop.log.LogPlaces;
 import org.pendant.desktop.log.LogView;
 import org.pendant.desktop.program.RunNode;
@@ -222,6 +223,12 @@ final class PastViews {
 
   /** What lines of programs that ran are called in their logs, and how they are shown. */
   void setRunPlaces(RunPlaces places) {
+    steps.nameLinesBy(
+        (ran, line) ->
+            open(ran)
+                .flatMap(document -> places.place(document, line, line))
+                .map(LogPlace::words)
+                .orElseGet(() -> text("line", line)));
     logPlaces =
         (timeS, source, line) ->
             recording()

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Executor;
+import java.util.function.BiFunction;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -41,6 +42,8 @@ public final class PastSteps {
   private final Function<RecordedProgram, List<Breakpoint>> breakpoints;
   private final Threads threads;
   private final Consumer<String> tell;
+  private BiFunction<RecordedProgram, Integer, String> places =
+      (ran, line) -> TimelineTexts.text("line", line);
   private Optional<String> watched = Optional.empty();
   private boolean busy;
 
@@ -96,6 +99,11 @@ public final class PastSteps {
         new Threads(
             task -> Thread.ofVirtual().name("past-steps").start(task), EventQueue::invokeLater);
     return new PastSteps(lookBack, live, held, breakpoints, threads, tell);
+  }
+
+  /** Calls lines of programs that ran so in what is told. */
+  public void nameLinesBy(BiFunction<RecordedProgram, Integer, String> names) {
+    places = names;
   }
 
   /** Whether people look at the past. */
@@ -269,16 +277,23 @@ public final class PastSteps {
 
   /** Whether a step is at a breakpoint. */
   private final class Passing {
-    private final Map<RecordedProgram, List<Breakpoint>> known = new HashMap<>();
+    private final Map<RecordedProgram, List<Named>> known = new HashMap<>();
     private final Map<String, RecordedCondition> conditions = new HashMap<>();
     private final Recording recording;
-    private Optional<Breakpoint> untold = Optional.empty();
+    private Optional<String> untold = Optional.empty();
+
+    /** A breakpoint, and what its line is called: only the dispatch thread knows. */
+    private record Named(Breakpoint breakpoint, String place) {}
 
     /** Asks for breakpoints before the search begins. */
     Passing(Recording recording) {
       this.recording = recording;
       for (RecordedProgram each : recording.programs()) {
-        known.put(each, breakpoints.apply(each));
+        known.put(
+            each,
+            breakpoints.apply(each).stream()
+                .map(set -> new Named(set, places.apply(each, set.line())))
+                .toList());
       }
     }
 
@@ -286,7 +301,7 @@ public final class PastSteps {
     Set<Integer> lines() {
       return known.values().stream()
           .flatMap(List::stream)
-          .map(Breakpoint::line)
+          .map(each -> each.breakpoint().line())
           .collect(Collectors.toSet());
     }
 
@@ -294,7 +309,7 @@ public final class PastSteps {
       Optional<RecordedProgram> ran = recording.programOf(step.moment().frame());
       return ran.stream()
           .flatMap(each -> known.getOrDefault(each, List.of()).stream())
-          .filter(each -> each.line() == step.line())
+          .filter(each -> each.breakpoint().line() == step.line())
           .anyMatch(each -> stoppedBy(step) || holds(each, step));
     }
 
@@ -304,13 +319,13 @@ public final class PastSteps {
           .isPresent();
     }
 
-    private boolean holds(Breakpoint breakpoint, RecordedStep step) {
+    private boolean holds(Named named, RecordedStep step) {
       Optional<Boolean> holds =
           conditions
-              .computeIfAbsent(breakpoint.condition(), RecordedCondition::new)
+              .computeIfAbsent(named.breakpoint().condition(), RecordedCondition::new)
               .holds(step.variables());
       if (holds.isEmpty()) {
-        untold = Optional.of(breakpoint);
+        untold = Optional.of(named.place());
       }
       return holds.orElse(false);
     }
@@ -318,7 +333,7 @@ public final class PastSteps {
     /** What is said of a search that found nothing, with what it may have missed. */
     String told(String nothing) {
       if (untold.isPresent()) {
-        return TimelineTexts.text("conditionUnknown", nothing, untold.get().line());
+        return TimelineTexts.text("conditionUnknown", nothing, untold.get());
       }
       return lines().isEmpty() ? nothing : TimelineTexts.text("laterOnesNotFound", nothing);
     }
