@@ -1,7 +1,7 @@
 package org.pendant.models.collision;
 
 import java.util.ArrayList;
-import java.util.BitSet;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import org.pendant.models.arm.ArmDescription;
@@ -24,8 +24,11 @@ import org.pendant.models.pose.Transforms;
 public final class ArmClearance {
   private static final int BODIES = LinkCapsules.BODIES;
 
-  /** The first joint is turned all round in so many steps to see whether a distance changes. */
+  /** The first joint is turned all round in so many steps to see how a distance changes. */
   private static final int TURN_STEPS = 72;
+
+  /** In more of them than symmetry explains. */
+  private static final int MANY_STEPS = TURN_STEPS / 8;
 
   /** Distances that differ by less are the same: those of solids are found to 1e-7 m. */
   private static final double UNCHANGED_M = 1e-6;
@@ -57,8 +60,11 @@ public final class ArmClearance {
 
   private final int[] second;
 
-  /** Pairs that are apart, and as far apart wherever the joints are. */
-  private final BitSet unchanging = new BitSet();
+  /**
+   * How far a pair is apart at most, m, where it is so wherever many joints are; infinite for
+   * others.
+   */
+  private final double[] farthestM;
 
   /** How far each joint moves any point of the arm at most, m for each rad. */
   private final double[] leverM = new double[Joints.COUNT];
@@ -110,9 +116,7 @@ public final class ArmClearance {
     List<int[]> pairs = pairs(arm.dh().d1());
     first = pairs.stream().mapToInt(pair -> pair[0]).toArray();
     second = pairs.stream().mapToInt(pair -> pair[1]).toArray();
-    for (int i = 0; i < pairs(); i++) {
-      unchanging.set(i, !changes(i));
-    }
+    farthestM = farthest();
     at(new double[Joints.COUNT]);
   }
 
@@ -197,23 +201,35 @@ public final class ArmClearance {
   }
 
   /**
-   * Whether joints change how far the two of a pair are apart, or the two overlap. All are turned
-   * at once, each faster than the one before it: where more than the first one matters, the first
-   * step shows it.
+   * How far shoulder and upper arm are from obstacles where that is as far as they can be in many
+   * places of the joints. All are turned at once, each faster than the one before it.
    */
-  private boolean changes(int pair) {
+  private double[] farthest() {
+    double[] mostM = new double[pairs()];
+    int[] times = new int[pairs()];
     double[] turned = new double[Joints.COUNT];
-    at(turned);
-    double before = distanceM(pair, Double.POSITIVE_INFINITY);
-    boolean changes = before <= 0;
-    for (int i = 1; i < TURN_STEPS && !changes; i++) {
+    for (int i = 0; i < TURN_STEPS; i++) {
       for (int joint = 0; joint < Joints.COUNT; joint++) {
         turned[joint] = (joint + 1) * 2 * Math.PI * i / TURN_STEPS;
       }
       at(turned);
-      changes = Math.abs(distanceM(pair, Double.POSITIVE_INFINITY) - before) > UNCHANGED_M;
+      for (int pair = 0; pair < pairs(); pair++) {
+        if (obstacle(pair) >= 0 && first[pair] <= LinkCapsules.UPPER_ARM) {
+          double distanceM = distanceM(pair, Double.POSITIVE_INFINITY);
+          times[pair] =
+              distanceM > mostM[pair] + UNCHANGED_M
+                  ? 1
+                  : distanceM > mostM[pair] - UNCHANGED_M ? times[pair] + 1 : times[pair];
+          mostM[pair] = Math.max(mostM[pair], distanceM);
+        }
+      }
     }
-    return changes;
+    double[] farthest = new double[pairs()];
+    Arrays.setAll(
+        farthest,
+        pair ->
+            mostM[pair] > 0 && times[pair] > MANY_STEPS ? mostM[pair] : Double.POSITIVE_INFINITY);
+    return farthest;
   }
 
   private boolean reaches(int obstacle, double shoulderM) {
@@ -274,11 +290,14 @@ public final class ArmClearance {
   }
 
   /**
-   * Whether the two of a pair are apart, and as far apart wherever the joints are: a shoulder that
-   * turns above a floor.
+   * Whether the two of a pair are as far apart as they can be, and are so in many places of the
+   * joints: a shoulder that turns above a floor, an upper arm that points up from it. Nothing has
+   * to be done about such a distance, however small it is.
+   *
+   * @param distanceM of the two where the arm is, m
    */
-  public boolean unchanging(int pair) {
-    return unchanging.get(pair);
+  public boolean farthest(int pair, double distanceM) {
+    return distanceM > farthestM[pair] - UNCHANGED_M;
   }
 
   /** The body of a pair, or the one of two that is nearer the base. */

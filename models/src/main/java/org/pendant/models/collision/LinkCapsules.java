@@ -32,6 +32,9 @@ public final class LinkCapsules {
   /** The body that stands still. */
   public static final int BASE = 0;
 
+  /** The number of the upper arm. */
+  public static final int UPPER_ARM = 2;
+
   /** The body whose face the tool is mounted on. */
   public static final int WRIST_3 = 6;
 

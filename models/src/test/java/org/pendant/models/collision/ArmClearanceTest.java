@@ -80,13 +80,15 @@ class ArmClearanceTest {
   }
 
   /**
-   * The pairs that no joint changes, by the names of the body and of the number of the obstacle.
+   * The pairs that are as far apart as they can be, by the names of the body and of the number of
+   * the obstacle.
    */
-  private List<String> unchanging(SolidShape... obstacles) {
+  private List<String> farthest(double[] q, SolidShape... obstacles) {
     ArmClearance clearance = new ArmClearance(UR5E, links, List.of(obstacles));
+    clearance.at(q);
     List<String> found = new ArrayList<>();
     for (int pair = 0; pair < clearance.pairs(); pair++) {
-      if (clearance.unchanging(pair)) {
+      if (clearance.farthest(pair, clearance.distanceM(pair, Double.POSITIVE_INFINITY))) {
         String other =
             clearance.obstacle(pair) >= 0
                 ? String.valueOf(clearance.obstacle(pair))
@@ -99,25 +101,40 @@ class ArmClearanceTest {
 
   @Test
   void noJointChangesHowFarTheShoulderIsFromWhatIsAlikeAllAroundItsAxis() {
-    assertEquals(List.of("shoulder, 0"), unchanging(new SolidShape.HalfSpace(0, 0, -0.1, 0, 0, 1)));
-    assertEquals(
-        List.of("shoulder, 0"),
-        unchanging(new SolidShape.Block(new Pose(0, 0, -0.1, 0, 0, 0), 1, 1, 0.1)));
-    assertEquals(List.of("shoulder, 0"), unchanging(new SolidShape.Ball(0, 0, 0.9, 0.1)));
+    for (SolidShape each :
+        List.of(
+            new SolidShape.HalfSpace(0, 0, -0.1, 0, 0, 1),
+            new SolidShape.Block(new Pose(0, 0, -0.1, 0, 0, 0), 1, 1, 0.1),
+            new SolidShape.Ball(0, 0, 0.9, 0.1))) {
+      List<String> found = farthest(new double[] {1, 0.4, 0.6, 0, 0, 0}, each);
+      assertTrue(found.contains("shoulder, 0"), () -> each + ": " + found);
+    }
   }
 
   @Test
-  void jointsChangeAllOtherDistances() {
+  void anUpperArmThatPointsUpFromAFloorCannotBeFartherFromIt() {
+    SolidShape floor = new SolidShape.HalfSpace(0, 0, 0, 0, 0, 1);
+    assertEquals(List.of("shoulder, 0", "upper arm, 0"), farthest(START, floor));
+    assertEquals(List.of("shoulder, 0"), farthest(new double[] {0, 0.2, -1, 0, 0, 0}, floor));
+  }
+
+  @Test
+  void jointsCanMakeAllOtherDistancesLarger() {
     double slope = Math.sqrt(0.5);
-    assertEquals(List.of(), unchanging());
-    assertEquals(List.of(), unchanging(new SolidShape.HalfSpace(0, 0, -0.2, slope, 0, slope)));
-    assertEquals(
-        List.of(), unchanging(new SolidShape.Block(new Pose(0.3, 0, 0.2, 0, 0, 0), 0.2, 1, 0.4)));
+    SolidShape wall = new SolidShape.HalfSpace(0, 0, -0.2, slope, 0, slope);
+    double[] towards = START.clone();
+    double[] away = START.clone();
+    towards[0] = -Math.PI / 2;
+    away[0] = Math.PI / 2;
+    assertEquals(List.of(), farthest(START));
+    assertEquals(List.of(), farthest(towards, wall));
+    assertEquals(List.of("shoulder, 0"), farthest(away, wall));
   }
 
   @Test
   void whatIsInAnObstacleWhereverTheJointsAreIsNoneOfThese() {
-    assertEquals(List.of(), unchanging(new SolidShape.HalfSpace(0, 0, 0.16, 0, 0, 1)));
+    SolidShape floor = new SolidShape.HalfSpace(0, 0, 0.16, 0, 0, 1);
+    assertEquals(List.of(), farthest(new double[] {0, 0.2, -1, 0, 0, 0}, floor));
   }
 
   @Test

@@ -140,8 +140,8 @@ public final class ArmSurroundings implements LinkPairs {
     return pair >= clearance.pairs();
   }
 
-  private boolean unchanging(int pair) {
-    return !ofOthers(pair) && clearance.unchanging(pair);
+  private boolean farthest(int pair, double distanceM) {
+    return !ofOthers(pair) && clearance.farthest(pair, distanceM);
   }
 
   /** Whether a pair is that of wrist 3 and an object, which touch where the flange presses. */
@@ -155,8 +155,9 @@ public final class ArmSurroundings implements LinkPairs {
   /**
    * How far the two of the nearest pair are apart, and those of the nearest that is not of two
    * links of this arm: these are near to each other in postures that nothing is wrong with. Pairs
-   * that no joint can change do not count, such as the shoulder and a floor below it. No number for
-   * an arm of which no shape is known. Any thread may ask where nobody calls another method.
+   * that are as far apart as they can be do not count, such as the shoulder and a floor below it.
+   * No number for an arm of which no shape is known. Any thread may ask where nobody calls another
+   * method.
    *
    * @param othersRad as {@link #moveOthers} takes it
    */
@@ -169,13 +170,11 @@ public final class ArmSurroundings implements LinkPairs {
     double links = Double.POSITIVE_INFINITY;
     double objects = Double.POSITIVE_INFINITY;
     for (int pair = 0; pair < pairs(); pair++) {
-      if (unchanging(pair) || (bare && presses(pair))) {
-        continue;
-      }
       if (ofLinks(pair)) {
         links = Math.min(links, distanceM(pair, links));
-      } else {
-        objects = Math.min(objects, distanceM(pair, objects));
+      } else if (!bare || !presses(pair)) {
+        double distanceM = distanceM(pair, objects);
+        objects = farthest(pair, distanceM) ? objects : Math.min(objects, distanceM);
       }
     }
     return new LinkDistances(known(Math.min(links, objects)), known(objects));

@@ -203,7 +203,7 @@ class LinkCollisionsTest {
   }
 
   @Test
-  void theShoulderAboveAFloorIsNotTheNearest() {
+  void theShoulderAboveAFloorAndAnUpperArmThatPointsUpAreNotTheNearest() {
     SceneObject floor =
         new SceneObject.Plane(
             "floor", new Vector3(0, 0, 0.06), new Vector3(0, 0, 1), Material.DEFAULT);
@@ -211,9 +211,9 @@ class LinkCollisionsTest {
     Joints upright = new Joints(0, -HALF, 0, -HALF, HALF, 0);
     Pose tool = new Pose(0, 0, 0.1, 0, 0, 0);
     // the shoulder is 39 mm above it whatever joints do, the upper arm 42 mm while it points up
-    assertEquals(0.0419, above.nearest(upright, tool, new double[0]).nearestM(), 1e-4);
+    assertTrue(above.nearest(upright, tool, new double[0]).objectM() > 0.3);
     Joints bent = new Joints(0, -0.3, 0.6, -HALF, HALF, 0);
-    assertTrue(above.nearest(bent, tool, new double[0]).nearestM() < 0.03);
+    assertTrue(above.nearest(bent, tool, new double[0]).objectM() < 0.03);
   }
 
   @Test

@@ -66,8 +66,8 @@ final class NearBuiltins {
         .doc(
             "How far a link of the arm is from another link, from an object of the scene that"
                 + " stands still, or from another arm, at the nearest; negative where it is"
-                + " inside. What no joint can change, such as the shoulder above a floor, does"
-                + " not count.")
+                + " inside. What no joint can make larger does not count: the shoulder above a"
+                + " floor, or the upper arm while it points up from it.")
         .returns(Unit.METRE)
         .effect(Effect.SENSES)
         .does(
