@@ -60,6 +60,17 @@ final class UsageTest {
   }
 
   @Test
+  void whyACommandIsRefusedIsSaidInTheLanguageThatIsAskedFor() {
+    Result german = Launcher.shell(folder, "PENDANT_LANGUAGE=de \"$PENDANT\" run missing.script");
+    assertEquals(
+        "pendant run: missing.script: es gibt keine solche Datei\n"
+            + "pendant run --help erkl\u00e4rt den Aufruf\n",
+        german.errors());
+    Result chinese = Launcher.shell(folder, "PENDANT_LANGUAGE=zh \"$PENDANT\" rum");
+    assertTrue(chinese.errors().contains("rum\uff0c"), chinese.errors());
+  }
+
+  @Test
   void aLanguageThatIsNotSpokenIsRefusedBeforeAnythingElse() {
     Result result = Launcher.shell(folder, "PENDANT_LANGUAGE=fr \"$PENDANT\" --version");
 

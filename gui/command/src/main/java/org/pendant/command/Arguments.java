@@ -46,11 +46,11 @@ final class Arguments {
       } else if (option.takesValue()) {
         i++;
         if (i == words.size()) {
-          throw new UsageException(name + " needs a value: " + option.usage());
+          throw new UsageException(CommandTexts.text("needsAValue", name, option.usage()));
         }
         value = words.get(i);
       } else if (equals >= 0) {
-        throw new UsageException(name + " takes no value, it was given " + word);
+        throw new UsageException(CommandTexts.text("takesNoValue", name, word));
       }
       arguments.values.computeIfAbsent(name, key -> new ArrayList<>()).add(value);
     }
@@ -65,8 +65,11 @@ final class Arguments {
     }
     List<String> names = options.stream().map(Option::name).toList();
     String hint =
-        new Nearest().to(name, () -> names).map(near -> ", did you mean " + near + "?").orElse("");
-    throw new UsageException("unknown option " + name + hint);
+        new Nearest()
+            .to(name, () -> names)
+            .map(near -> CommandTexts.text("didYouMean", near))
+            .orElse("");
+    throw new UsageException(CommandTexts.text("unknownOptionNear", name, hint));
   }
 
   /** Whether {@code option} was given. */
@@ -78,8 +81,7 @@ final class Arguments {
   Optional<String> value(Option option) throws UsageException {
     List<String> given = values(option);
     if (given.size() > 1) {
-      throw new UsageException(
-          option.name() + " is given " + given.size() + " times, expected once");
+      throw new UsageException(CommandTexts.text("givenSeveralTimes", option.name(), given.size()));
     }
     return given.stream().findFirst();
   }
@@ -165,7 +167,7 @@ final class Arguments {
   }
 
   private static UsageException wrong(Option option, String text, String legal) {
-    return new UsageException(option.name() + " is " + text + ", must be " + legal);
+    return new UsageException(CommandTexts.text("mustBe", option.name(), text, legal));
   }
 
   /** All values of an option that may be repeated, in their order. */

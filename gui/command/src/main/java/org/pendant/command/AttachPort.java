@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -44,8 +46,7 @@ final class AttachPort implements AutoCloseable, RobotAccess {
     try {
       listener = new LoopbackListener(port);
     } catch (IOException e) {
-      throw new UsageException(
-          OPTION.name() + ": port " + port + " cannot be opened: " + e.getMessage());
+      throw new UsageException(text("portOfCannotBeOpened", OPTION.name(), port, e.getMessage()));
     }
     log = new ProtocolLog(line -> console.complain(prefix + line));
     Thread.ofVirtual().name("attach port").start(() -> listener.serve(this::serve));
@@ -76,14 +77,12 @@ final class AttachPort implements AutoCloseable, RobotAccess {
         robot,
         in,
         out,
-        fault -> console.complain(prefix + "internal error: " + fault),
+        fault -> console.complain(text("internalErrorAt", prefix, fault)),
         complaint -> console.complain(prefix + OPTION.name() + ": " + complaint));
   }
 
   private static DebugTarget nothing(String program, List<String> options) throws TargetRefusal {
-    throw new TargetRefusal(
-        "nothing is launched here: attach to the robot, and have the program started where it is"
-            + " driven");
+    throw new TargetRefusal(text("nothingLaunched"));
   }
 
   @Override

@@ -1,9 +1,12 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Calibration;
 import org.pendant.models.calibration.CalibrationFile;
@@ -39,36 +42,35 @@ final class CalibrateCommand implements Subcommand {
   @Override
   public ExitCode run(Arguments arguments, Console console) throws UsageException {
     if (arguments.operands().size() != 1) {
-      throw new UsageException(
-          "expected one file of measured poses, there are " + arguments.operands().size());
+      throw new UsageException(text("onePosesFileExpected", arguments.operands().size()));
     }
     String name = arguments.operands().getFirst();
     ArmDescription model = RobotName.model(arguments);
-    byte[] table = arguments.files().bytes("the file of poses", name);
+    byte[] table = arguments.files().bytes("theFileOfPoses", name);
     Optional<OutputFile> out = OutputFile.of(OUT, arguments);
     List<MeasuredPose> measured = measured(name, table);
     CalibrationEstimate.Result.Estimated found =
         switch (CalibrationEstimate.of(model, measured)) {
           case CalibrationEstimate.Result.Estimated estimated -> estimated;
           case CalibrationEstimate.Result.Refused refused ->
-              throw new UsageException(name + " " + refused.reason());
+              throw new UsageException(name + " " + CommandLanguage.shown(refused.reason()));
         };
     Calibration calibration = Calibration.of(found.deltas());
     ArmDescription arm = model.withCalibration(calibration);
     Optional<String> refusal = NominalDeviation.refusal(arm);
     if (refusal.isPresent()) {
-      throw new UsageException("the calibration from " + name + " " + refusal.get());
+      throw new UsageException(text("calibrationFrom", name, refusal.get()));
     }
     List<String> report =
         List.of(
             String.format(
                 Locale.ROOT,
-                "%s, %d poses, condition number %.1f",
+                text("posesAndCondition"),
                 model.displayName(),
                 measured.size(),
                 found.condition()),
-            "residuals before: " + shown(PoseResiduals.of(model, measured)),
-            "residuals after: " + shown(PoseResiduals.of(arm, measured)));
+            text("residualsBefore", shown(PoseResiduals.of(model, measured))),
+            text("residualsAfter", shown(PoseResiduals.of(arm, measured))));
     StringBuilder text = new StringBuilder();
     report.forEach(each -> text.append("# ").append(each).append('\n'));
     text.append(CalibrationFile.text(calibration));
@@ -86,14 +88,14 @@ final class CalibrateCommand implements Subcommand {
     try {
       return MeasuredPoses.read(name, table);
     } catch (CalibrationTrouble e) {
-      throw new UsageException(e.getMessage());
+      throw UsageException.fromEnglish(e);
     }
   }
 
   private static String shown(PoseResiduals residuals) {
     return String.format(
         Locale.ROOT,
-        "mean %.4f mm, max %.4f mm, mean %.4f mrad, max %.4f mrad",
+        text("meanAndMax"),
         1000 * residuals.meanM(),
         1000 * residuals.maxM(),
         1000 * residuals.meanRad(),

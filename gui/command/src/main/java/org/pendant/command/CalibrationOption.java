@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.nio.file.Path;
 import java.util.Optional;
 import org.pendant.controller.installation.Installation;
@@ -58,13 +60,9 @@ final class CalibrationOption {
 
   private static byte[] bytes(String name, SourceFiles files) throws UsageException {
     if (!ArmCalibration.understands(name)) {
-      throw new UsageException(
-          OPTION.name()
-              + " is "
-              + name
-              + ", must end in .yaml, .yml, .conf, .urp or .installation");
+      throw new UsageException(text("calibrationEnding", OPTION.name(), name));
     }
-    return files.bytes("the calibration", name);
+    return files.bytes("theCalibration", name);
   }
 
   private static Calibration read(String name, SourceFiles files, ArmDescription model)
@@ -73,7 +71,7 @@ final class CalibrationOption {
     try {
       return ArmCalibration.read(name, bytes, model);
     } catch (CalibrationTrouble e) {
-      throw new UsageException(e.getMessage());
+      throw UsageException.fromEnglish(e);
     }
   }
 }

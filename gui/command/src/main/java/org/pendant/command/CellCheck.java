@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
@@ -75,11 +77,11 @@ final class CellCheck {
     }
     for (Option option : RunOptions.OF_CHECK) {
       if (arguments.has(option) && !option.equals(InstallationOption.OPTION)) {
-        throw new UsageException(option.name() + " goes with --cell, which is missing");
+        throw new UsageException(text("goesWithCell", option.name()));
       }
     }
     if (json.isPresent()) {
-      throw new UsageException("--json goes with --cell, which is missing");
+      throw new UsageException(text("jsonGoesWithCell"));
     }
     return Optional.empty();
   }

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -62,12 +64,12 @@ record CellFile(String name, CellPlan plan) {
 
   /** Reads the file of a scene, with one controller or several. */
   static CellFile read(String name, SourceFiles files) throws UsageException {
-    Path file = files.path("the scene", name);
+    Path file = files.path("theScene", name);
     try (InputStream in = Files.newInputStream(file)) {
       return new CellFile(
           name, CellPlan.read(name, in, MeshFiles.in(file.toAbsolutePath().getParent())));
     } catch (JsonException e) {
-      throw new UsageException(e.getMessage());
+      throw UsageException.fromEnglish(e);
     } catch (IOException e) {
       throw SourceFiles.unreadable(name, e);
     }
@@ -81,10 +83,7 @@ record CellFile(String name, CellPlan plan) {
   static void refuse(Arguments arguments) throws UsageException {
     Optional<CellFile> cell = of(arguments);
     if (cell.isPresent()) {
-      throw new UsageException(
-          cell.get().name()
-              + " has several controllers; pendant run and pendant serve work with all of them,"
-              + " this works with one");
+      throw new UsageException(text("severalControllers", cell.get().name()));
     }
   }
 
@@ -104,7 +103,7 @@ record CellFile(String name, CellPlan plan) {
   /** What the cell is, for people. */
   String described() {
     int arms = plan.layout().arms().size();
-    return arms > 1 ? arms + " arms" : "an arm and a script of the cell";
+    return arms > 1 ? text("severalArms", arms) : text("armAndScript");
   }
 
   /**
@@ -142,9 +141,7 @@ record CellFile(String name, CellPlan plan) {
   private void requireThere(NamedFile file, String what) throws UsageException {
     if (!Files.isRegularFile(Path.of(path(file)))) {
       throw new UsageException(
-          file.place()
-              .refusal(what + " is \"" + file.name() + "\", which is no file beside the scene")
-              .getMessage());
+          file.place().refusal(text("noFileBesideScene", what, file.name())).getMessage());
     }
   }
 
@@ -192,12 +189,7 @@ record CellFile(String name, CellPlan plan) {
     if (arm.robot().isPresent() && !options.robotId().equals(arm.robot().get())) {
       throw new UsageException(
           arm.place()
-              .refusal(
-                  arm.name()
-                      + " is a "
-                      + arm.robot().get()
-                      + ", but the command line or its installation says "
-                      + options.robotId())
+              .refusal(text("otherArm", arm.name(), arm.robot().get(), options.robotId()))
               .getMessage());
     }
     return options;

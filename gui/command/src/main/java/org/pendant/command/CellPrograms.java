@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -35,8 +37,7 @@ record CellPrograms(List<CellFile.Member> members, Cell cell, List<Program> prog
   static void refuse(CellFile file, Arguments arguments) throws UsageException {
     for (Option option : OF_ONE) {
       if (arguments.has(option)) {
-        throw new UsageException(
-            option.name() + " goes with one controller, " + file.name() + " has several");
+        throw new UsageException(text("goesWithOneController", option.name(), file.name()));
       }
     }
   }
@@ -51,21 +52,16 @@ record CellPrograms(List<CellFile.Member> members, Cell cell, List<Program> prog
     List<String> operands = arguments.operands();
     if (!file.plan().layout().arms().isEmpty()) {
       if (!operands.isEmpty()) {
-        throw new UsageException(
-            file.name()
-                + " has arms with programs of their own, but there is also "
-                + operands.getFirst());
+        throw new UsageException(text("armsHavePrograms", file.name(), operands.getFirst()));
       }
       if (file.plan().layout().arms().stream().allMatch(arm -> arm.program().isEmpty())) {
-        throw new UsageException(file.name() + " has arms, but names no program of one");
+        throw new UsageException(text("armsHaveNoProgram", file.name()));
       }
       return Optional.empty();
     }
     if (operands.size() != 1) {
       throw new UsageException(
-          operands.isEmpty()
-              ? "no file given"
-              : file.name() + " has a script of the cell, which goes with one program");
+          operands.isEmpty() ? text("noFileGiven") : text("scriptOfCell", file.name()));
     }
     return Optional.of(RunnableFile.read(arguments).getFirst());
   }
@@ -87,7 +83,7 @@ record CellPrograms(List<CellFile.Member> members, Cell cell, List<Program> prog
     try {
       cell = new Cell(file.plan(), options, StandardBuiltins.create());
     } catch (JsonException e) {
-      throw new UsageException(e.getMessage());
+      throw UsageException.fromEnglish(e);
     }
     List<Program> programs = new ArrayList<>();
     boolean right = true;
@@ -111,8 +107,7 @@ record CellPrograms(List<CellFile.Member> members, Cell cell, List<Program> prog
     Report.diagnostics(source, result.diagnostics()).forEach(console::complainInLines);
     Optional<Program> program = result.program();
     if (program.isPresent() && program.get().secondary()) {
-      console.complain(
-          Report.error(source, "is a secondary program, " + member.name() + " must run a primary"));
+      console.complain(Report.error(source, text("secondaryProgram", member.name())));
       return Optional.empty();
     }
     return program;

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -135,7 +137,7 @@ final class CellRun {
     boolean all = true;
     for (int i = 0; i < parts.size(); i++) {
       Optional<String> refusal = replies.get(i).join().complaint();
-      refusal.ifPresent(parts.get(i).report()::error);
+      refusal.ifPresent(parts.get(i).report()::errorFromEnglish);
       all &= refusal.isEmpty();
     }
     return all;
@@ -154,10 +156,7 @@ final class CellRun {
         part.report()
             .complain(
                 Report.note(
-                    part.report().source(),
-                    "paused in line "
-                        + state.program().line()
-                        + "; continues at once, as nobody is here to resume it"));
+                    part.report().source(), text("pausedContinues", state.program().line())));
         var _ = part.controller().submit(new ProgramCommand.ResumeProgram());
         return false;
       }
@@ -172,10 +171,10 @@ final class CellRun {
   /** Which time limit is over. */
   private Optional<String> timedOut(double endS) {
     if (parts.getFirst().controller().timeS() >= endS) {
-      return Optional.of(endS + " s, its time limit");
+      return Optional.of(text("timeLimitOver", endS));
     }
     return wall.over()
-        ? Optional.of(wall.limitS().orElseThrow() + " s on the wall, its time limit there")
+        ? Optional.of(text("wallLimitOver", wall.limitS().orElseThrow()))
         : Optional.empty();
   }
 
@@ -203,7 +202,7 @@ final class CellRun {
             .complain(
                 Report.note(
                     part.report().source(),
-                    "stopped, as " + broken.get().member().name() + " has stopped"));
+                    text("stoppedWithOther", broken.get().member().name())));
       } else {
         code = code.or(part.report().ended());
       }

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -33,7 +35,7 @@ final class CellRunner {
       records.add(record(member));
     }
     members.stream().flatMap(each -> each.program().stream()).forEach(each -> each.tell(console));
-    try (Interruption interruption = Interruption.listen("the run");
+    try (Interruption interruption = Interruption.listen("theRun");
         WallLimit wall = WallLimit.begin(options.wallTimeoutS(), file.name());
         ScriptConnectors connectors = new ScriptConnectors(options.hosts())) {
       List<ControllerOptions> switchedOn =
@@ -54,7 +56,7 @@ final class CellRunner {
   private void refuse() throws UsageException {
     CellPrograms.refuse(file, arguments);
     if (arguments.has(OutputFile.FORCE) && arguments.value(RunOptions.RECORD).isEmpty()) {
-      throw new UsageException("--force goes with --record, which is missing");
+      throw new UsageException(text("forceGoesWithRecord"));
     }
   }
 

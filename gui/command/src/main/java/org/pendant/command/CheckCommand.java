@@ -1,10 +1,13 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.controller.builtin.ArmlessBuiltins;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.language.source.Diagnostic;
@@ -54,12 +57,12 @@ final class CheckCommand implements Subcommand {
     Optional<CellCheck> cell = CellCheck.of(arguments);
     Optional<SharedCellCheck> shared = cell.flatMap(CellCheck::shared);
     if (names.isEmpty() && shared.isEmpty()) {
-      throw new UsageException("no file given");
+      throw new UsageException(text("noFileGiven"));
     }
     InstallationOption.tell(arguments, console);
     Builtins<?> builtins = StandardBuiltins.create();
     ExitCode code;
-    try (Interruption interruption = Interruption.listen("the check")) {
+    try (Interruption interruption = Interruption.listen("theCheck")) {
       code =
           shared.isPresent()
               ? shared.get().run(interruption, console)
@@ -125,10 +128,10 @@ final class CheckCommand implements Subcommand {
     TestFileReader reader =
         new TestFileReader(new TestFilesOnDisk(arguments), TestBuiltins.create(), false);
     try {
-      reader.read(name).warnings().forEach(console::complain);
+      reader.read(name).warnings().forEach(console::complainFromEnglish);
       return ExitCode.DONE;
     } catch (TestFileReader.Broken e) {
-      e.file().problems().forEach(console::complain);
+      e.file().problems().forEach(console::complainFromEnglish);
       return ExitCode.DOES_NOT_COMPILE;
     }
   }
@@ -141,7 +144,10 @@ final class CheckCommand implements Subcommand {
     Source source = file.source().orElseThrow();
     LoadResult loadResult = ProgramLoader.load(source, builtins);
     Report.diagnostics(source, loadResult.mistakes()).forEach(console::complainInLines);
-    loadResult.library().ifPresent(found -> console.complain(Report.note(source, found.message())));
+    loadResult
+        .library()
+        .ifPresent(
+            found -> console.complain(Report.note(source, CommandLanguage.shown(found.message()))));
     return loadResult.mistakes().stream().noneMatch(Diagnostic::isError);
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -20,8 +22,7 @@ record CollisionReport(
 
   /** Says that the program went on after it had been watched for so long. */
   void tellLimit(double limitS, Console console) {
-    console.complain(
-        Report.note(source, "looked at its first " + limitS + " s; --timeout says how many"));
+    console.complain(Report.note(source, text("lookedAtFirst", limitS)));
   }
 
   /** Tells each collision with its line, or else what came nearest. */
@@ -29,33 +30,39 @@ record CollisionReport(
     for (Collision each : watcher.collisions()) {
       String node = file.nodeAt(each.line()).map(place -> " (" + place + ")").orElse("");
       console.complain(
-          "%s:%d: error: %s%s at %s s, %s mm deep, until %s s%s"
-              .formatted(
-                  source.name(),
-                  each.line(),
-                  each.hit().sentence(),
-                  each.other()
-                      .map(other -> " (" + other.program() + ":" + other.line() + ")")
-                      .orElse(""),
-                  seconds(each.timeS()),
-                  millimetres(each.hit().depthM()),
-                  seconds(each.untilS()),
-                  node));
+          text(
+              "collision",
+              source.name(),
+              each.line(),
+              each.hit().sentence(),
+              each.other()
+                  .map(other -> " (" + other.program() + ":" + other.line() + ")")
+                  .orElse(""),
+              seconds(each.timeS()),
+              millimetres(each.hit().depthM()),
+              seconds(each.untilS()),
+              node));
     }
     Optional<Nearest> nearest = watcher.nearest();
     if (watcher.collisions().isEmpty() && nearest.isPresent()) {
-      Nearest found = nearest.get();
-      console.complain(
-          Report.note(
-              source,
-              "nothing is hit; nearest is the %s to %s, %s mm at %s s in line %d"
-                  .formatted(
-                      found.pair().link(),
-                      found.pair().otherWords(),
-                      millimetres(-found.pair().depthM()),
-                      seconds(found.timeS()),
-                      found.line())));
+      console.complain(Report.note(source, nearest(nearest.get())));
     }
+  }
+
+  private static String nearest(Nearest found) {
+    LinkHit pair = found.pair();
+    String key =
+        pair.object()
+            ? "nearestIsObject"
+            : pair.otherArm().isPresent() ? "nearestIsOtherArm" : "nearestIsLink";
+    return text(
+        key,
+        pair.link(),
+        pair.other(),
+        pair.otherArm().orElse(""),
+        millimetres(-pair.depthM()),
+        seconds(found.timeS()),
+        found.line());
   }
 
   /** As a member of a list in JSON. */

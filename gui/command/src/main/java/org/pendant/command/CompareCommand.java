@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -14,6 +16,7 @@ import org.pendant.command.comparison.ComparedRun;
 import org.pendant.command.comparison.ComparisonJson;
 import org.pendant.command.comparison.ComparisonPage;
 import org.pendant.command.comparison.FidelityPage;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.protocols.externalcontrol.NoScript;
 import org.pendant.recording.compare.Difference;
@@ -24,7 +27,7 @@ import org.pendant.recording.compare.Difference;
  * GoldenFileComparison}.
  */
 final class CompareCommand implements Subcommand {
-  private static final String RECORDING = "the recording";
+  private static final String RECORDING = "theRecording";
 
   private static final Option JSON =
       Option.output("--json", "FILE")
@@ -86,7 +89,7 @@ final class CompareCommand implements Subcommand {
     Optional<String> list = arguments.value(COLLECTION);
     Optional<byte[]> listed =
         list.isPresent()
-            ? Optional.of(arguments.files().bytes("the list of recordings", list.get()))
+            ? Optional.of(arguments.files().bytes("theListOfRecordings", list.get()))
             : Optional.empty();
     List<String> operands = arguments.operands();
     for (int i = 0; i < operands.size(); i++) {
@@ -100,7 +103,7 @@ final class CompareCommand implements Subcommand {
     boolean golden = GoldenFileComparison.isMeant(operands);
     if (golden || ExactComparison.isMeant(operands)) {
       if (list.isPresent() || markdown.isPresent() || json.isPresent() || html.isPresent()) {
-        throw new UsageException("two recordings are compared without files of what differs");
+        throw new UsageException(text("recordingsWithoutFiles"));
       }
       String newer = operands.get(0);
       String older = operands.get(1);
@@ -110,12 +113,11 @@ final class CompareCommand implements Subcommand {
           : ExactComparison.run(newer, older, arguments.files(), console);
     }
     if (list.isPresent() != markdown.isPresent()) {
-      throw new UsageException("--collection and --markdown go together, one of them is missing");
+      throw new UsageException(text("collectionNeedsMarkdown"));
     }
     if (list.isPresent()) {
       if (!operands.isEmpty() || json.isPresent() || html.isPresent()) {
-        throw new UsageException(
-            "--collection names all recordings, and makes no other file than that of --markdown");
+        throw new UsageException(text("collectionNamesAll"));
       }
       return page(RecordingList.of(list.get(), listed.orElseThrow()), markdown.get(), console);
     }
@@ -136,8 +138,7 @@ final class CompareCommand implements Subcommand {
   private static Compared compare(Arguments arguments, Console console) throws UsageException {
     List<String> operands = arguments.operands();
     if (operands.size() != 2) {
-      throw new UsageException(
-          "expected a recording and a program, there are " + operands.size() + " files");
+      throw new UsageException(text("recordingAndProgramExpected", operands.size()));
     }
     List<CompareLimit> limits = CompareLimit.of(arguments);
     PayloadOptions payload = PayloadOptions.of(arguments);
@@ -151,7 +152,7 @@ final class CompareCommand implements Subcommand {
     program.tell(console);
     PayloadOptions carried = payload.or(recorded.samples());
     ProgramComparison.Outcome outcome;
-    try (Interruption interruption = Interruption.listen("the run");
+    try (Interruption interruption = Interruption.listen("theRun");
         WallLimit wall = WallLimit.begin(options.wallTimeoutS(), program.file())) {
       RunnableFile whole = program.asked(options.drivers());
       Console ours = console.toErrors();
@@ -159,7 +160,7 @@ final class CompareCommand implements Subcommand {
           new ProgramComparison(recorded, whole, options, carried).run(interruption, wall, ours);
       ours.flush();
     } catch (NoScript e) {
-      console.complain(program.file() + ": error: " + e.getMessage());
+      console.complain(text("errorIn", program.file(), CommandLanguage.shown(e.getMessage())));
       return new Compared(ExitCode.UNAVAILABLE, Optional.empty());
     }
     if (outcome.comparison().isEmpty()) {
@@ -198,7 +199,7 @@ final class CompareCommand implements Subcommand {
     try {
       Files.createDirectories(folder);
     } catch (IOException e) {
-      throw new UsageException(folder + ": cannot be made a folder, " + FileTrouble.reason(e));
+      throw new UsageException(text("cannotBeFolder", folder, FileTrouble.reason(e)));
     }
     for (Map.Entry<String, String> each : new TreeMap<>(files.charts()).entrySet()) {
       Path chart = folder.resolve(each.getKey());
@@ -215,18 +216,23 @@ final class CompareCommand implements Subcommand {
   }
 
   private static void print(ComparedRun run, Console console) {
-    run.comparison().notes().forEach(note -> console.print("note: " + note));
+    run.comparison().notes().forEach(note -> console.print(text("noteIs", note)));
     Table figures =
-        new Table().left("figure").left("unit").right("recorded").right("Pendant").right("error");
+        new Table()
+            .left(text("figure"))
+            .left(text("unit"))
+            .right(text("recorded"))
+            .right("Pendant")
+            .right(text("error"));
     Table residuals =
         new Table()
-            .left("Pendant less recording")
-            .left("unit")
-            .right("from")
-            .right("to")
-            .right("mean")
+            .left(text("pendantLessRecording"))
+            .left(text("unit"))
+            .right(text("fromColumn"))
+            .right(text("toColumn"))
+            .right(text("mean"))
             .right("rms")
-            .right("largest");
+            .right(text("largest"));
     for (Difference each : run.comparison().differences()) {
       Table table = each instanceof Difference.Figure ? figures : residuals;
       table.row(ComparisonPage.cells(each).toArray(new String[0]));
@@ -240,12 +246,11 @@ final class CompareCommand implements Subcommand {
     }
     for (ComparedRun.Limit each : run.limits()) {
       console.print(
-          "limit "
-              + each.name()
-              + ": "
-              + Difference.text(each.size())
-              + (each.kept() ? " is within " : " is above ")
-              + Difference.text(each.most()));
+          text(
+              each.kept() ? "limitKept" : "limitExceeded",
+              each.name(),
+              Difference.text(each.size()),
+              Difference.text(each.most())));
     }
   }
 }

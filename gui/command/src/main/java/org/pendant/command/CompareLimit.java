@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
@@ -32,11 +34,7 @@ record CompareLimit(String name, double most) {
       double most =
           equals < 0 ? Double.NaN : Arguments.parsed(text.substring(equals + 1)).orElse(Double.NaN);
       if (!(most >= 0)) {
-        throw new UsageException(
-            OPTION.name()
-                + " is "
-                + text
-                + ", must be NAME=VALUE with a number of at least 0, such as duration=0.01");
+        throw new UsageException(text("limitMustBe", OPTION.name(), text));
       }
       limits.add(new CompareLimit(text.substring(0, equals), most));
     }
@@ -53,17 +51,13 @@ record CompareLimit(String name, double most) {
     if (size.isEmpty()) {
       List<String> names = comparison.names();
       throw new UsageException(
-          OPTION.name()
-              + " "
-              + name
-              + ": the comparison has no "
-              + name
-              + new Nearest()
-                  .to(name, () -> names)
-                  .map(near -> ", did you mean " + near + "?")
-                  .orElse("")
-              + "; there are "
-              + String.join(", ", names));
+          text(
+              "notCompared",
+              OPTION.name(),
+              name,
+              name,
+              new Nearest().to(name, () -> names).map(near -> text("didYouMean", near)).orElse(""),
+              String.join(", ", names)));
     }
     return new ComparedRun.Limit(name, most, size.getAsDouble());
   }

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.List;
 import java.util.function.Supplier;
 
@@ -42,9 +44,8 @@ final class CompletionCommand implements Subcommand {
           case "bash" -> script.bash();
           case "zsh" -> script.zsh();
           case "fish" -> script.fish();
-          case "" -> throw new UsageException("no shell given, expected bash, zsh or fish");
-          case String other ->
-              throw new UsageException("the shell is " + other + ", must be bash, zsh or fish");
+          case "" -> throw new UsageException(text("noShell"));
+          case String other -> throw new UsageException(text("unknownShell", other));
         };
     lines.forEach(console::print);
     return ExitCode.DONE;

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.BufferedOutputStream;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
@@ -9,6 +11,7 @@ import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.language.source.VisibleText;
 
 /**
@@ -91,6 +94,11 @@ final class Console {
     writeError(VisibleText.message(text));
   }
 
+  /** The same with what others have said in English, in the language of the command line. */
+  void complainFromEnglish(String text) {
+    complain(CommandLanguage.shown(text));
+  }
+
   /** The same with a text of lines that are laid out already, such as a {@link Report}. */
   synchronized void complainInLines(String text) {
     writeError(VisibleText.of(text));
@@ -104,7 +112,7 @@ final class Console {
   void complainOf(String who, Throwable fault) {
     StringWriter details = new StringWriter();
     fault.printStackTrace(new PrintWriter(details, true));
-    complain(who + ": internal error: " + fault);
+    complain(text("internalErrorOf", who, fault));
     complainInLines(details.toString().stripTrailing());
   }
 
@@ -132,7 +140,7 @@ final class Console {
     outputClosed = true;
     String reason = String.valueOf(cause.getMessage());
     if (!reason.contains("pipe") && !reason.contains("Bad file descriptor")) {
-      complain("pendant: standard output cannot be written: " + reason);
+      complain(text("outputCannotBeWritten", reason));
     }
   }
 

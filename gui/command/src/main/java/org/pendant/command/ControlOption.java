@@ -1,6 +1,7 @@
 package org.pendant.command;
 
 import java.util.Optional;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.controller.installation.ControlHost;
 import org.pendant.protocols.externalcontrol.Drivers;
 
@@ -21,7 +22,7 @@ final class ControlOption {
     try {
       return new Drivers(HostsOption.of(arguments), host.map(ControlHost::parse));
     } catch (IllegalArgumentException e) {
-      throw new UsageException(OPTION.name() + ": " + e.getMessage());
+      throw new UsageException(OPTION.name() + ": " + CommandLanguage.shown(e.getMessage()));
     }
   }
 }

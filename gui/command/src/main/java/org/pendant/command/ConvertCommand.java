@@ -1,11 +1,14 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.controller.disk.AtomicFile;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.project.installation.file.InstallationFile;
@@ -69,8 +72,7 @@ final class ConvertCommand implements Subcommand {
   @Override
   public ExitCode run(Arguments arguments, Console console) throws UsageException {
     if (arguments.operands().size() != 2) {
-      throw new UsageException(
-          "expected two files, FROM and TO, there are " + arguments.operands().size());
+      throw new UsageException(text("fromAndToExpected", arguments.operands().size()));
     }
     String from = arguments.operands().get(0);
     String to = arguments.operands().get(1);
@@ -98,7 +100,7 @@ final class ConvertCommand implements Subcommand {
       ArmDescription arm = RobotName.model(arguments);
       return new Result(ExitCode.DONE, Optional.of(out -> TrackRecording.write(track, arm, out)));
     }
-    throw new UsageException(from + " cannot become " + to + ": " + POSSIBLE);
+    throw new UsageException(text("cannotBecome", from, to, POSSIBLE));
   }
 
   private static boolean ends(String name, String ending) {
@@ -116,11 +118,11 @@ final class ConvertCommand implements Subcommand {
               InstallationOption.of(arguments),
               arguments.files());
     } catch (BrokenTree e) {
-      e.reports().forEach(console::complain);
+      e.reports().forEach(console::complainFromEnglish);
       return Result.none(ExitCode.DOES_NOT_COMPILE);
     }
     InstallationOption.tell(arguments, console);
-    read.notes().forEach(console::complain);
+    read.notes().forEach(console::complainFromEnglish);
     TreeFile file = read.file();
     if (ends(to, ProgramText.ENDING)) {
       return Result.of(ProgramText.write(file.tree()));
@@ -129,12 +131,9 @@ final class ConvertCommand implements Subcommand {
       return urp(file, to, console);
     }
     List<String> problems = file.problems();
-    problems.forEach(console::complain);
+    problems.forEach(console::complainFromEnglish);
     if (file.waitingNodes() > 0) {
-      console.complain(
-          to
-              + ": note: what External Control nodes do is not in it: a driver sends that when the"
-              + " program starts");
+      console.complain(text("externalControlLeftOut", to));
     }
     return problems.isEmpty()
         ? Result.of(file.script().text())
@@ -145,7 +144,7 @@ final class ConvertCommand implements Subcommand {
     String name = file.programName();
     ProgramTree tree = file.tree();
     UrpPrograms.notes(name, tree, file.installation())
-        .forEach(note -> console.complain(to + ": note: " + note));
+        .forEach(note -> console.complain(text("noteIn", to, CommandLanguage.shown(note))));
     return Result.of(UrpPrograms.write(name, tree, file.installation()));
   }
 
@@ -156,22 +155,25 @@ final class ConvertCommand implements Subcommand {
           InstallationFile.variablesOf(from).filter(each -> Files.isRegularFile(Path.of(each)));
       Optional<byte[]> values =
           variables.isPresent()
-              ? Optional.of(files.bytes("the file of variables", variables.get()))
+              ? Optional.of(files.bytes("theFileOfVariables", variables.get()))
               : Optional.empty();
       LoadedInstallation read =
-          InstallationFile.read(from, files.bytes("the installation", from), values);
-      read.remarks().forEach(each -> console.complain(from + ": note: " + each));
+          InstallationFile.read(from, files.bytes("theInstallation", from), values);
+      read.remarks()
+          .forEach(each -> console.complain(text("noteIn", from, CommandLanguage.shown(each))));
       return Result.of(InstallationText.write(read.installation()));
     } catch (InstallationTrouble e) {
-      console.complain(e.getMessage());
+      console.complainFromEnglish(e.getMessage());
       return Result.none(ExitCode.DOES_NOT_COMPILE);
     }
   }
 
   private static Result recording(String from, SourceFiles files, Console console)
       throws UsageException {
-    RecordingFile.Opened opened = RecordedFile.open(from, files.path("the recording", from));
-    opened.warning().ifPresent(each -> console.complain(from + ": warning: " + each));
+    RecordingFile.Opened opened = RecordedFile.open(from, files.path("theRecording", from));
+    opened
+        .warning()
+        .ifPresent(each -> console.complain(text("warningIn", from, CommandLanguage.shown(each))));
     Recording all = opened.recording();
     return new Result(
         ExitCode.DONE,

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.util.List;
@@ -39,7 +41,7 @@ final class DapCommand implements Subcommand {
   @Override
   public ExitCode run(Arguments arguments, Console console) throws UsageException {
     if (!arguments.operands().isEmpty()) {
-      throw new UsageException("takes no file, it was given " + arguments.operands().getFirst());
+      throw new UsageException(text("takesNoFile", arguments.operands().getFirst()));
     }
     return server.run(arguments.whole(PORT), console, (in, out) -> serve(in, out, console));
   }

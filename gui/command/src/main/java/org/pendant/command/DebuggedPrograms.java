@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import org.pendant.editors.dap.run.DebugTarget;
@@ -19,8 +21,7 @@ final class DebuggedPrograms implements DebugTargets {
     try {
       Arguments arguments = Arguments.parse(RunOptions.OF_DEBUGGING, options);
       if (!arguments.operands().isEmpty()) {
-        throw new TargetRefusal(
-            "args has " + arguments.operands().getFirst() + ", which is no option");
+        throw new TargetRefusal(text("argsNoOption", arguments.operands().getFirst()));
       }
       CellFile.refuse(arguments);
       RunnableFile read = RunnableFile.read(arguments, List.of(program)).getFirst();
@@ -49,8 +50,7 @@ final class DebuggedPrograms implements DebugTargets {
     try {
       Arguments arguments = Arguments.parse(TestOptions.ALL, options);
       if (!arguments.operands().isEmpty()) {
-        throw new TargetRefusal(
-            "args has " + arguments.operands().getFirst() + ", which is no option");
+        throw new TargetRefusal(text("argsNoOption", arguments.operands().getFirst()));
       }
       TestFilesOnDisk disk = new TestFilesOnDisk(arguments);
       TestRunner runner =
@@ -66,7 +66,7 @@ final class DebuggedPrograms implements DebugTargets {
         throw new TargetRefusal(plan.broken().getFirst().problems().getFirst());
       }
       if (plan.tests().isEmpty()) {
-        throw new TargetRefusal("there is no test " + test + " in " + file);
+        throw new TargetRefusal(text("noSuchTest", test, file));
       }
       return DebugTarget.of(file, runner.debug(plan, plan.tests().getFirst().id()));
     } catch (UsageException | DebuggedTest.NotDebugged e) {

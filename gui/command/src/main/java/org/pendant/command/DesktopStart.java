@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -37,7 +39,7 @@ final class DesktopStart {
       Optional<RobotAccess> access) {
     Optional<DesktopLauncher> launcher = services.launcher().get();
     if (launcher.isEmpty()) {
-      return refused("it is not on the class path");
+      return refused(text("notOnClassPath"));
     }
     try {
       launcher.get().open(files, ports, installation, wishes, access);
@@ -51,9 +53,8 @@ final class DesktopStart {
   }
 
   private ExitCode refused(String why) {
-    console.complain("pendant: the desktop cannot be opened: " + why);
-    console.complain(
-        "Programs run without a display too: pendant run FILE...; pendant --help lists more");
+    console.complain(text("desktopCannotOpen", why));
+    console.complain(text("runsWithoutDisplay"));
     return ExitCode.WRONG_USAGE;
   }
 }

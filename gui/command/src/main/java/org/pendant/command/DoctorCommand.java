@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
@@ -49,7 +51,7 @@ final class DoctorCommand implements Subcommand {
   @Override
   public ExitCode run(Arguments arguments, Console console) throws UsageException {
     if (!arguments.operands().isEmpty()) {
-      throw new UsageException("unexpected " + arguments.operands().getFirst());
+      throw new UsageException(text("unexpected", arguments.operands().getFirst()));
     }
     Optional<OutputFile> report = OutputFile.of(REPORT, arguments);
     List<Finding> findings = doctor.get().findings();
@@ -67,9 +69,9 @@ final class DoctorCommand implements Subcommand {
     try {
       ProblemReport problem = ProblemReport.of(findings);
       report.write(problem::write);
-      console.complain("wrote " + report.path() + ": " + problem.contents());
+      console.complain(text("wrote", report.path(), problem.contents()));
     } catch (IOException e) {
-      throw new UsageException("noted faults cannot be read: " + FileTrouble.reason(e));
+      throw new UsageException(text("notedFaultsCannotBeRead", FileTrouble.reason(e)));
     }
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -55,11 +57,11 @@ final class EditorServer {
 
   private ExitCode listen(int port, Console console, Session session) throws UsageException {
     try (LoopbackListener listener = new LoopbackListener(port)) {
-      console.complain("pendant " + command + ": listening at 127.0.0.1:" + listener.port());
+      console.complain(text("listening", command, listener.port()));
       listener.serve(session::serve);
       return ExitCode.DONE;
     } catch (IOException e) {
-      throw new UsageException("port " + port + " cannot be opened: " + e.getMessage());
+      throw new UsageException(text("portCannotBeOpened", port, e.getMessage()));
     }
   }
 }

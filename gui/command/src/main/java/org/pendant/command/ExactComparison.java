@@ -1,8 +1,11 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.recording.Recording;
 import org.pendant.recording.RecordingFile;
 import org.pendant.recording.compare.FirstDifference;
@@ -36,11 +39,10 @@ final class ExactComparison {
     try {
       difference = FirstDifference.between(now, before);
     } catch (IllegalArgumentException e) {
-      throw new UsageException(e.getMessage());
+      throw UsageException.fromEnglish(e);
     }
     if (difference.isEmpty()) {
-      console.print(
-          "the same in all " + FirstDifference.framesOfRun(now).orElseThrow() + " frames of 2 ms");
+      console.print(text("sameInAllFrames", FirstDifference.framesOfRun(now).orElseThrow()));
       return ExitCode.DONE;
     }
     console.print(newer + " " + difference.get().words());
@@ -49,8 +51,11 @@ final class ExactComparison {
 
   private static Recording open(String name, SourceFiles files, Console console)
       throws UsageException {
-    RecordingFile.Opened opened = RecordedFile.open(name, files.path("the recording", name));
-    opened.warning().ifPresent(warning -> console.complain(name + ": warning: " + warning));
+    RecordingFile.Opened opened = RecordedFile.open(name, files.path("theRecording", name));
+    opened
+        .warning()
+        .ifPresent(
+            warning -> console.complain(text("warningIn", name, CommandLanguage.shown(warning))));
     return opened.recording();
   }
 }

@@ -1,11 +1,14 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.world.Vector3;
@@ -66,7 +69,7 @@ final class FitCommand implements Subcommand {
   @Override
   public ExitCode run(Arguments arguments, Console console) throws UsageException {
     if (arguments.operands().isEmpty()) {
-      throw new UsageException("expected one recording or more, there is none");
+      throw new UsageException(text("recordingsExpected"));
     }
     Optional<Installation> installation = InstallationOption.of(arguments);
     Optional<ArmDescription> named =
@@ -77,7 +80,7 @@ final class FitCommand implements Subcommand {
     PayloadOptions payload = PayloadOptions.of(arguments);
     List<Path> paths = new ArrayList<>();
     for (String name : arguments.operands()) {
-      paths.add(arguments.files().path("a recording", name));
+      paths.add(arguments.files().path("aRecording", name));
     }
     Optional<OutputFile> out = OutputFile.of(OUT, arguments);
     List<RecordedFile> files = new ArrayList<>();
@@ -86,7 +89,7 @@ final class FitCommand implements Subcommand {
           RecordedFile.read(
               arguments.operands().get(i), paths.get(i), arguments.number(RecordedFile.FREQUENCY));
       refuseIfLacking(file);
-      file.notes().forEach(note -> console.print("note: " + file.name() + ": " + note));
+      file.notes().forEach(note -> console.print(text("noteOf", file.name(), note)));
       files.add(file);
     }
     InstallationOption.tell(arguments, console);
@@ -98,7 +101,7 @@ final class FitCommand implements Subcommand {
     Optional<Payload> given =
         payload.massKg().isPresent() ? Optional.of(assumed) : Optional.empty();
     ArmFit fit = ArmFit.of(model, gravity, recordings, given, assumed);
-    fit.notes().forEach(note -> console.print("note: " + note));
+    fit.notes().forEach(note -> console.print(text("noteIs", note)));
     print(model, fit, given, console);
     if (out.isPresent()) {
       byte[] bytes =
@@ -127,11 +130,7 @@ final class FitCommand implements Subcommand {
       if (named.isEmpty() && each.arm().isPresent()) {
         ArmDescription arm = each.arm().get();
         if (recorded.isPresent() && !recorded.get().equals(arm)) {
-          throw new UsageException(
-              each.name()
-                  + " is of another arm than a recording before it; "
-                  + RunOptions.ROBOT.usage()
-                  + " says which one is fitted");
+          throw new UsageException(text("anotherArm", each.name(), RunOptions.ROBOT.usage()));
         }
         recorded = Optional.of(arm);
       }
@@ -158,10 +157,7 @@ final class FitCommand implements Subcommand {
     List<Gravity> told =
         files.stream().flatMap(each -> each.gravity().stream()).distinct().toList();
     if (told.size() > 1) {
-      throw new UsageException(
-          "the arm is mounted in different ways in these recordings; "
-              + InstallationOption.OPTION.usage()
-              + " says how it is");
+      throw new UsageException(text("mountedDifferently", InstallationOption.OPTION.usage()));
     }
     return told.isEmpty() ? Gravity.UPRIGHT : told.getFirst();
   }
@@ -169,7 +165,7 @@ final class FitCommand implements Subcommand {
   private static void refuseIfLacking(RecordedFile file) throws UsageException {
     Optional<String> lacks = ArmFit.lacks(List.of(file.samples()));
     if (lacks.isPresent()) {
-      throw new UsageException(file.name() + " has no " + lacks.get() + " to be fitted to");
+      throw new UsageException(text("lacksColumns", file.name(), lacks.get()));
     }
   }
 
@@ -191,36 +187,29 @@ final class FitCommand implements Subcommand {
       LoadFit.Found load = fit.load().get();
       Payload payload = load.payload();
       console.print(
-          (fit.payloadFound()
-                  ? "payload: "
-                  : given.isPresent() ? "payload, as given: " : "payload, as recorded: ")
-              + number(payload.massKg())
-              + " kg at "
-              + number(payload.cogXM())
-              + ", "
-              + number(payload.cogYM())
-              + ", "
-              + number(payload.cogZM())
-              + " m");
+          text(
+              fit.payloadFound()
+                  ? "payloadFound"
+                  : given.isPresent() ? "payloadGiven" : "payloadRecorded",
+              number(payload.massKg()),
+              number(payload.cogXM()),
+              number(payload.cogYM()),
+              number(payload.cogZM())));
       console.print(
-          "moments unexplained: "
-              + number(load.rmsBeforeNm())
-              + " Nm rms before, "
-              + number(load.rmsAfterNm())
-              + " Nm after");
+          text("momentsUnexplained", number(load.rmsBeforeNm()), number(load.rmsAfterNm())));
     }
     Table table =
         new Table()
-            .left("joint")
+            .left(text("joint"))
             .left("")
-            .right("rotor kg m\u00b2")
+            .right(text("rotorHead"))
             .right("K Nm/A")
-            .right("coulomb A")
-            .right("curved A")
-            .right("over rad/s")
-            .right("viscous A s/rad")
-            .right("lag ms")
-            .right("unexplained A rms");
+            .right(text("coulombHead"))
+            .right(text("curvedHead"))
+            .right(text("overHead"))
+            .right(text("viscousHead"))
+            .right(text("lagHead"))
+            .right(text("unexplainedHead"));
     for (int i = 0; i < Joints.COUNT; i++) {
       Actuator before = model.actuators().get(i);
       Actuator after = fit.arm().actuators().get(i);
@@ -228,8 +217,8 @@ final class FitCommand implements Subcommand {
       Optional<DriveFit> drive = found.drive();
       boolean constant = drive.isPresent() && drive.get().torqueConstantFound();
       table.row(
-          RobotSheet.JOINTS.get(i),
-          "before",
+          CommandLanguage.shown(RobotSheet.JOINTS.get(i)),
+          text("before"),
           number(before.rotorInertiaKgM2()),
           number(before.torqueConstantNmPerA()),
           number(before.friction().coulombA()),
@@ -240,7 +229,7 @@ final class FitCommand implements Subcommand {
           drive.isPresent() ? number(drive.get().rmsBeforeA()) : "");
       table.row(
           "",
-          "fitted",
+          text("fitted"),
           found.rotorInertiaKgM2().isPresent() ? number(after.rotorInertiaKgM2()) : NOT_TOLD,
           constant ? number(after.torqueConstantNmPerA()) : NOT_TOLD,
           drive.isPresent() ? number(after.friction().coulombA()) : NOT_TOLD,

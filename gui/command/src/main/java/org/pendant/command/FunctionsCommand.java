@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.List;
 import java.util.function.Supplier;
 import org.pendant.language.check.Nearest;
@@ -45,7 +47,7 @@ final class FunctionsCommand implements Subcommand {
   public ExitCode run(Arguments arguments, Console console) throws UsageException {
     List<String> names = arguments.operands();
     if (names.size() > 1 || (arguments.has(MARKDOWN) && !names.isEmpty())) {
-      throw new UsageException("unexpected " + names.getLast());
+      throw new UsageException(text("unexpected", names.getLast()));
     }
     FunctionReference reference =
         arguments.has(TESTS)
@@ -70,9 +72,9 @@ final class FunctionsCommand implements Subcommand {
       String hint =
           new Nearest()
               .to(name, reference::names)
-              .map(near -> ", did you mean " + near + "?")
-              .orElse("; pendant functions lists all");
-      throw new UsageException("no function " + name + hint);
+              .map(near -> text("didYouMean", near))
+              .orElse(text("functionsListsAll"));
+      throw new UsageException(text("noFunction", name, hint));
     }
     lines.forEach(console::print);
   }

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -8,6 +10,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.pendant.command.service.GoldenComparison;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.recording.RecordingException;
 import org.pendant.recording.compare.MalformedTrack;
 import org.pendant.recording.compare.RunTrack;
@@ -63,7 +66,7 @@ final class GoldenFileComparison {
             wanted.seconds());
     Optional<TrackDifference> first = TrackComparison.first(now, before, within);
     if (first.isEmpty()) {
-      console.print("the same within " + words(wanted));
+      console.print(text("sameWithin", words(wanted)));
       return ExitCode.DONE;
     }
     console.print(newer + ": " + first.get().words());
@@ -80,16 +83,11 @@ final class GoldenFileComparison {
         case "mm" -> mm = OptionalDouble.of(each.most());
         case "s" -> seconds = each.most();
         default ->
-            throw new UsageException(
-                CompareLimit.OPTION.name()
-                    + " "
-                    + each.name()
-                    + ": golden recordings have limits deg, mm and s");
+            throw new UsageException(text("goldenLimits", CompareLimit.OPTION.name(), each.name()));
       }
     }
     if (seconds > MAX_S) {
-      throw new UsageException(
-          CompareLimit.OPTION.name() + " s is " + seconds + " s, must be 0 to " + MAX_S + " s");
+      throw new UsageException(text("secondsMustBe", CompareLimit.OPTION.name(), seconds, MAX_S));
     }
     boolean standard = deg.isEmpty() && mm.isEmpty();
     return new TrackTolerance(standard ? OptionalDouble.of(STANDARD_DEG) : deg, mm, seconds);
@@ -119,25 +117,23 @@ final class GoldenFileComparison {
    * @throws UsageException when it cannot be read, or is none
    */
   static RunTrack read(String name, boolean withTcp, SourceFiles files) throws UsageException {
-    Path path = files.path("the recording", name);
+    Path path = files.path("theRecording", name);
     if (Files.isDirectory(path)) {
-      throw new UsageException(name + " is a directory, expected a recording");
+      throw new UsageException(text("directoryNotRecording", name));
     }
     if (!isGolden(name) && !ends(name, ".rec")) {
-      throw new UsageException(
-          name + " is no recording of a test, .golden or .rec, to compare with a golden recording");
+      throw new UsageException(text("noTestRecording", name));
     }
     try {
       RunTrack track = GoldenComparison.read(path, withTcp);
       if (withTcp && !track.hasTcp()) {
-        throw new UsageException(
-            name + " has no places of the TCP, its test does not compare by mm");
+        throw new UsageException(text("noTcpPlaces", name));
       }
       return track;
     } catch (MalformedTrack e) {
-      throw new UsageException(name + " " + e.getMessage());
+      throw new UsageException(name + " " + CommandLanguage.shown(e.getMessage()));
     } catch (RecordingException e) {
-      throw new UsageException(e.getMessage());
+      throw UsageException.fromEnglish(e);
     } catch (IOException e) {
       throw SourceFiles.unreadable(name, e);
     }

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
@@ -80,7 +82,7 @@ final class HeadlessRun {
     }
     Optional<String> refusal = ask(new ProgramCommand.StartProgram(program, folder)).complaint();
     if (refusal.isPresent()) {
-      report.error(refusal.get());
+      report.errorFromEnglish(refusal.get());
       return ExitCode.PROGRAM_FAILED;
     }
     Optional<String> timedOut = Optional.empty();
@@ -104,10 +106,10 @@ final class HeadlessRun {
   /** Which time limit is over. */
   private Optional<String> timedOut(double endS) {
     if (drive.timeS() >= endS) {
-      return Optional.of(endS + " s, its time limit");
+      return Optional.of(text("timeLimitOver", endS));
     }
     return wall.over()
-        ? Optional.of(wall.limitS().orElseThrow() + " s on the wall, its time limit there")
+        ? Optional.of(text("wallLimitOver", wall.limitS().orElseThrow()))
         : Optional.empty();
   }
 
@@ -115,7 +117,7 @@ final class HeadlessRun {
     Reply reply = ask(program);
     // why it failed is in the log, which is printed with everything else
     if (!(reply instanceof Reply.Failed)) {
-      reply.complaint().ifPresent(report::error);
+      reply.complaint().ifPresent(report::errorFromEnglish);
     }
     return reply instanceof Reply.Done ? ExitCode.DONE : ExitCode.PROGRAM_FAILED;
   }
@@ -143,11 +145,7 @@ final class HeadlessRun {
 
   private void resume() {
     report.complain(
-        Report.note(
-            report.source(),
-            "paused in line "
-                + robot.state().program().line()
-                + "; continues at once, as nobody is here to resume it"));
+        Report.note(report.source(), text("pausedContinues", robot.state().program().line())));
     Optional<String> refusal = ask(new ProgramCommand.ResumeProgram()).complaint();
     if (refusal.isPresent()) {
       throw new IllegalStateException("a paused program cannot be resumed: " + refusal.get());

@@ -1,5 +1,6 @@
 package org.pendant.command;
 
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.protocols.egress.AllowedHosts;
 
 /** Option {@code --allow-hosts}: how far programs may reach. */
@@ -18,7 +19,7 @@ final class HostsOption {
     try {
       return AllowedHosts.parse(arguments.text(OPTION));
     } catch (IllegalArgumentException e) {
-      throw new UsageException(OPTION.name() + ": " + e.getMessage());
+      throw new UsageException(OPTION.name() + ": " + CommandLanguage.shown(e.getMessage()));
     }
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -7,6 +9,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationCheck;
@@ -51,12 +54,14 @@ final class InstallationOption {
   static void tell(Arguments arguments, Console console) throws UsageException {
     Optional<String> name = arguments.value(OPTION);
     if (name.isPresent()) {
-      notes(name.get(), read(name.get(), arguments.files())).forEach(console::complain);
+      notes(name.get(), read(name.get(), arguments.files())).forEach(console::complainFromEnglish);
     }
   }
 
   private static List<String> notes(String name, LoadedInstallation read) {
-    return read.remarks().stream().map(each -> name + ": note: " + each).toList();
+    return read.remarks().stream()
+        .map(each -> text("noteIn", name, CommandLanguage.shown(each)))
+        .toList();
   }
 
   /** Reads an installation, with what it says of other files as seen from here. */
@@ -72,13 +77,13 @@ final class InstallationOption {
           InstallationFile.variablesOf(name).filter(file -> Files.isRegularFile(Path.of(file)));
       Optional<byte[]> values =
           variables.isPresent()
-              ? Optional.of(bytes(files.path("the file of variables", variables.get())))
+              ? Optional.of(bytes(files.path("theFileOfVariables", variables.get())))
               : Optional.empty();
-      return InstallationFile.read(name, bytes(files.path("the installation", name)), values);
+      return InstallationFile.read(name, bytes(files.path("theInstallation", name)), values);
     } catch (InstallationTrouble e) {
-      throw new UsageException(e.getMessage());
+      throw UsageException.fromEnglish(e);
     } catch (InvalidPathException e) {
-      throw new UsageException(name + ": not a file name, " + e.getReason());
+      throw new UsageException(text("notAFileName", name, e.getReason()));
     } catch (IOException e) {
       throw SourceFiles.unreadable(name, e);
     }
@@ -115,8 +120,7 @@ final class InstallationOption {
           return Optional.of(read.installation());
         }
       } catch (InvalidPathException e) {
-        throw new UsageException(
-            program + " names the installation " + installation + ", which is no name of a file");
+        throw new UsageException(text("installationNotAFileName", program, installation));
       }
     }
     return Optional.empty();
@@ -126,7 +130,7 @@ final class InstallationOption {
     try (InputStream in = Files.newInputStream(path)) {
       byte[] bytes = in.readNBytes(InstallationFile.MAX_BYTES + 1);
       if (bytes.length > InstallationFile.MAX_BYTES) {
-        throw new UsageException(path + " has more than " + InstallationFile.MAX_BYTES + " bytes");
+        throw new UsageException(text("tooManyBytes", path, InstallationFile.MAX_BYTES));
       }
       return bytes;
     }
@@ -147,7 +151,7 @@ final class InstallationOption {
   static void refuseUnlessFor(Installation installation, ArmDescription arm) throws UsageException {
     Optional<InstallationProblem> refusal = InstallationCheck.refusal(installation, arm);
     if (refusal.isPresent()) {
-      throw new UsageException("the installation cannot be used: " + refusal.get());
+      throw new UsageException(text("installationUnusable", refusal.get()));
     }
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -35,7 +37,7 @@ final class Interruption implements AutoCloseable {
   /**
    * Begins to listen. A signal ends the process at once until {@link #hold} is called.
    *
-   * @param what is under way then, for messages, such as {@code the run}
+   * @param what is under way then, the key of a text such as {@code theRun}
    */
   static Interruption listen(String what) {
     return listen(what, PATIENCE_S);
@@ -110,7 +112,7 @@ final class Interruption implements AutoCloseable {
         letNextSignalEnd();
       }
       if (!ended.await(patienceS, TimeUnit.SECONDS)) {
-        System.err.println("pendant: " + what + " did not end within " + patienceS + " s");
+        System.err.println(text("didNotEnd", text(what), patienceS));
       }
       if (signalled) {
         exitCode.ifPresent(code -> Runtime.getRuntime().halt(code.number()));
@@ -135,7 +137,7 @@ final class Interruption implements AutoCloseable {
         signal.getMethod("handle", signal, handler).invoke(null, each, byDefault);
       }
     } catch (ReflectiveOperationException e) {
-      System.err.println("pendant: another signal will not be heeded: " + e);
+      System.err.println(text("signalNotHeeded", e));
     }
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -54,7 +56,7 @@ final class LogPrinter implements AutoCloseable {
       say(Report.popup(popup));
     }
     for (Question question : state.newQuestions()) {
-      say("question " + question.number() + ": " + ByteText.decoded(question.text()));
+      say(text("question", question.number(), ByteText.decoded(question.text())));
     }
     if (state.newestEntry() != newest) {
       newest = state.newestEntry();
@@ -87,8 +89,7 @@ final class LogPrinter implements AutoCloseable {
     for (LogEntry entry : robot.logSince(printed)) {
       long missed = entry.number() - printed - 1;
       if (missed > 0) {
-        console.complain(
-            prefix + "pendant serve: " + missed + " lines of the log were not printed in time");
+        console.complain(prefix + text("linesNotPrinted", missed));
       }
       print(entry);
       printed = entry.number();

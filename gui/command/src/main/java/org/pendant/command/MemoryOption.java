@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.math.BigDecimal;
 import java.util.Locale;
 import java.util.Map;
@@ -41,24 +43,21 @@ final class MemoryOption {
   static long bytes(String text, long most) throws UsageException {
     Matcher size = SIZE.matcher(text.strip());
     if (!size.matches()) {
-      throw new UsageException(
-          OPTION.name() + " is " + text + ", must be a number with kB, MB or GB, such as 256MB");
+      throw new UsageException(text("memoryMustBe", OPTION.name(), text));
     }
     int power = POWERS_OF_TEN.get(size.group(2).toLowerCase(Locale.ROOT));
     long bytes = new BigDecimal(size.group(1)).scaleByPowerOfTen(power).longValue();
     if (bytes < MIN_BYTES) {
-      throw new UsageException(OPTION.name() + " is " + text + ", must be at least 100kB");
+      throw new UsageException(text("memoryAtLeast", OPTION.name(), text));
     }
     if (bytes > most) {
       throw new UsageException(
-          OPTION.name()
-              + " is "
-              + text
-              + ", must be at most "
-              + most / 1_000_000
-              + "MB, a third of Java's memory; PENDANT_JAVA_OPTIONS=-Xmx"
-              + Math.ceilDiv(ControllerOptions.SHARE_OF_HEAP * bytes, 1 << 20)
-              + "m makes room for it");
+          text(
+              "memoryAtMost",
+              OPTION.name(),
+              text,
+              most / 1_000_000,
+              Math.ceilDiv(ControllerOptions.SHARE_OF_HEAP * bytes, 1 << 20)));
     }
     return bytes;
   }

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -61,7 +63,7 @@ final class OpenCommand implements Subcommand {
   /** Why a word that only a file is called like is none; nothing for other words. */
   static Optional<String> whyNoFile(String word) {
     if (isDirectory(word)) {
-      return Optional.of(word + " is a directory, expected a file or a command");
+      return Optional.of(text("directoryNotFileOrCommand", word));
     }
     String lower = word.toLowerCase(Locale.ROOT);
     boolean named =
@@ -72,9 +74,7 @@ final class OpenCommand implements Subcommand {
             || lower.endsWith(".scene.json")
             || lower.endsWith(".toml")
             || word.contains("/");
-    return named
-        ? Optional.of(word + ": there is no such file, and no command of that name")
-        : Optional.empty();
+    return named ? Optional.of(text("noFileOrCommand", word)) : Optional.empty();
   }
 
   private static boolean isDirectory(String word) {
@@ -118,16 +118,12 @@ final class OpenCommand implements Subcommand {
     List<Path> files = new ArrayList<>();
     for (String each : arguments.operands()) {
       if (GoldenFileComparison.isGolden(each)) {
-        throw new UsageException(
-            each
-                + " is a golden recording of a test: pendant convert "
-                + each
-                + " FILE.rec makes a recording of it, which can be opened");
+        throw new UsageException(text("goldenNotOpened", each, each));
       }
       try {
         files.add(Path.of(each).toAbsolutePath());
       } catch (InvalidPathException e) {
-        throw new UsageException(each + " is no name of a file: " + e.getReason());
+        throw new UsageException(text("noNameOfFile", each, e.getReason()));
       }
     }
     Optional<StartInstallation> installation = installation(arguments);
@@ -189,7 +185,7 @@ final class OpenCommand implements Subcommand {
     }
     for (Option each : PortOptions.ALL) {
       if (arguments.has(each)) {
-        throw new UsageException(each.name() + " is only for open ports, with " + PORTS.name());
+        throw new UsageException(text("onlyWithPorts", each.name(), PORTS.name()));
       }
     }
     return Optional.empty();

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.List;
 
 /** Argument of an option: what may follow its name. */
@@ -54,7 +56,9 @@ sealed interface OptionArgument {
 
     /** What is right, such as {@code light or dark}. */
     String legal() {
-      return words.size() == 2 ? String.join(" or ", words) : "one of " + String.join(", ", words);
+      return words.size() == 2
+          ? text("either", words.getFirst(), words.getLast())
+          : text("oneOf", String.join(", ", words));
     }
   }
 
@@ -67,7 +71,7 @@ sealed interface OptionArgument {
   record Whole(String placeholder, int min, int max) implements OptionArgument {
     /** What is right, such as {@code a number from 1 to 100}. */
     String legal() {
-      return "a number from " + min + " to " + max;
+      return text("wholeNumber", min, max);
     }
   }
 
@@ -92,10 +96,15 @@ sealed interface OptionArgument {
     String legal() {
       String least = Decimal.text(min, DIGITS);
       if (max >= Double.MAX_VALUE) {
-        return (open ? "above " : "at least ") + least + " " + unit;
+        return text(open ? "above" : "atLeast", least, unitText());
       }
       String most = Decimal.text(max, DIGITS);
-      return (open ? "above " + least + " and at most " : least + " to ") + most + " " + unit;
+      return text(open ? "aboveAndAtMost" : "fromTo", least, most, unitText());
+    }
+
+    /** Symbols of units are the same in all languages. */
+    private String unitText() {
+      return unit.equals("seconds") ? text("seconds") : unit;
     }
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
@@ -68,39 +70,36 @@ record OutputFile(String name, Path path, boolean force) {
       file.check(name, arguments.files());
       return file;
     } catch (InvalidPathException e) {
-      throw new UsageException(shown + ": not a file name, " + e.getReason());
+      throw new UsageException(text("notAFileName", shown, e.getReason()));
     } catch (IOException e) {
-      throw new UsageException(shown + ": cannot be written, " + FileTrouble.reason(e));
+      throw new UsageException(text("cannotBeWritten", shown, FileTrouble.reason(e)));
     }
   }
 
   private void check(String plainName, SourceFiles read) throws IOException, UsageException {
     WritePlace place = WritePlace.of(path);
     if (name.isBlank() || plainName.isBlank()) {
-      throw new UsageException(name + ": the name of the file is missing");
+      throw new UsageException(text("fileNameMissing", name));
     }
     if (Files.isDirectory(place.path())) {
-      throw new UsageException(name + " is a directory, expected a file");
+      throw new UsageException(text("directoryNotFile", name));
     }
     Optional<SourceFiles.SourceFile> source =
         place.occupied() ? read.same(place.path()) : Optional.empty();
     if (source.isPresent()) {
       String same = source.get().name().equals(plainName) ? "" : " " + source.get().name();
       throw new UsageException(
-          name
-              + " is "
-              + source.get().role()
-              + same
-              + ", which this command reads and never overwrites"
-              + (force ? ", not even with --force" : "")
-              + "; choose another name");
+          text(
+              force ? "neverOverwrittenByForce" : "neverOverwritten",
+              name,
+              text(source.get().role()) + same));
     }
     if (place.occupied() && !force) {
-      throw new UsageException(name + " exists already, --force replaces it");
+      throw new UsageException(text("existsAlready", name));
     }
     place.check();
     if (!place.special() && !Files.isDirectory(place.folder())) {
-      throw new UsageException(name + ": cannot be written, there is no folder " + place.folder());
+      throw new UsageException(text("noFolder", name, place.folder()));
     }
   }
 
@@ -120,7 +119,7 @@ record OutputFile(String name, Path path, boolean force) {
           ? Files.newOutputStream(path)
           : Files.newOutputStream(path, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
     } catch (IOException e) {
-      throw new UsageException(name + ": cannot be written, " + FileTrouble.reason(e));
+      throw new UsageException(text("cannotBeWritten", name, FileTrouble.reason(e)));
     }
   }
 
@@ -133,7 +132,7 @@ record OutputFile(String name, Path path, boolean force) {
         AtomicFile.create(path, content);
       }
     } catch (IOException e) {
-      throw new UsageException(name + ": cannot be written, " + FileTrouble.reason(e));
+      throw new UsageException(text("cannotBeWritten", name, FileTrouble.reason(e)));
     }
   }
 }

@@ -49,8 +49,7 @@ record PayloadOptions(OptionalDouble massKg, Optional<Vector3> cogM) {
       }
     }
     if (numbers.size() != 3 || text.split(",", -1).length != 3) {
-      throw new UsageException(
-          COG.name() + " is " + text + ", must be three numbers in m such as 0,0,0.058");
+      throw new UsageException(CommandTexts.text("cogMustBe", COG.name(), text));
     }
     return new Vector3(numbers.get(0), numbers.get(1), numbers.get(2));
   }
@@ -80,23 +79,21 @@ record PayloadOptions(OptionalDouble massKg, Optional<Vector3> cogM) {
     controller.advance();
     Optional<String> refusal = reply.join().complaint();
     if (refusal.isPresent()) {
-      throw new UsageException("the payload is refused: " + refusal.get());
+      throw new UsageException(CommandTexts.text("payloadRefused", refusal.get()));
     }
   }
 
   /** For people, such as {@code 1.07 kg at 0, 0, 0.058 m}. */
   String text() {
     if (massKg.isEmpty()) {
-      return "not given";
+      return CommandTexts.text("notGiven");
     }
     Vector3 at = cogM.orElse(new Vector3(0, 0, 0));
-    return Decimal.text(massKg.getAsDouble(), DIGITS)
-        + " kg at "
-        + Decimal.text(at.x(), DIGITS)
-        + ", "
-        + Decimal.text(at.y(), DIGITS)
-        + ", "
-        + Decimal.text(at.z(), DIGITS)
-        + " m";
+    return CommandTexts.text(
+        "kgAt",
+        Decimal.text(massKg.getAsDouble(), DIGITS),
+        Decimal.text(at.x(), DIGITS),
+        Decimal.text(at.y(), DIGITS),
+        Decimal.text(at.z(), DIGITS));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.IOException;
@@ -91,7 +93,7 @@ public final class Pendant {
     try {
       Relaunch.run(words).ifPresent(System::exit);
     } catch (IOException e) {
-      console.complain("pendant: goes on with the options of other commands: " + e.getMessage());
+      console.complain(text("goesOnWithOptions", e.getMessage()));
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
@@ -154,7 +156,7 @@ public final class Pendant {
       return run(chosen.get(), words);
     }
     console.complain("pendant: " + unknown(name));
-    console.complain("pendant --help lists what there is");
+    console.complain(text("helpLists"));
     return ExitCode.WRONG_USAGE;
   }
 
@@ -169,19 +171,18 @@ public final class Pendant {
       return code;
     } catch (UsageException e) {
       console.complain("pendant " + subcommand.name() + ": " + e.getMessage());
-      console.complain("pendant " + subcommand.name() + " --help explains the usage");
+      console.complain(text("helpExplains", subcommand.name()));
       return ExitCode.WRONG_USAGE;
     }
   }
 
   private String unknown(String word) {
     if (word.startsWith("-")) {
-      return "unknown option " + word;
+      return text("unknownOption", word);
     }
     List<String> names = subcommands.stream().map(Subcommand::name).toList();
-    String hint =
-        new Nearest().to(word, () -> names).map(n -> ", did you mean " + n + "?").orElse("");
-    return OpenCommand.whyNoFile(word).orElse("unknown command " + word + hint);
+    String hint = new Nearest().to(word, () -> names).map(n -> text("didYouMean", n)).orElse("");
+    return OpenCommand.whyNoFile(word).orElse(text("unknownCommand", word, hint));
   }
 
   private List<String> usage() {
@@ -215,10 +216,8 @@ public final class Pendant {
   private ExitCode internalError(Throwable fault) {
     StringWriter details = new StringWriter();
     fault.printStackTrace(new PrintWriter(details, true));
-    console.complain("pendant: internal error: " + fault);
-    console.complain(
-        "This is a fault in Pendant. Please report it with the program and the lines below, as"
-            + " CONTRIBUTING.md describes.");
+    console.complain(text("internalError", fault));
+    console.complain(text("faultInPendant"));
     console.complainInLines(details.toString().stripTrailing());
     return ExitCode.INTERNAL_ERROR;
   }

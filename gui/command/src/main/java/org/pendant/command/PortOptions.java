@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.nio.file.Files;
@@ -79,7 +81,7 @@ final class PortOptions {
   static Path programs(Arguments arguments) throws UsageException {
     Path folder = path(PROGRAMS, arguments.value(PROGRAMS).orElse("."));
     if (!Files.isDirectory(folder)) {
-      throw new UsageException("--programs is " + folder + ", must be a folder");
+      throw new UsageException(text("programsMustBe", folder));
     }
     return folder;
   }
@@ -89,7 +91,7 @@ final class PortOptions {
     try {
       return Path.of(name).toAbsolutePath().normalize();
     } catch (InvalidPathException e) {
-      throw new UsageException(option.name() + " is " + name + ", which is no name of a folder");
+      throw new UsageException(text("noNameOfFolder", option.name(), name));
     }
   }
 
@@ -97,12 +99,12 @@ final class PortOptions {
     String name = arguments.text(HOST);
     if (name.isBlank()) {
       // for Java that would be the loopback address
-      throw new UsageException("--host is empty, must be an address of this machine");
+      throw new UsageException(text("hostEmpty"));
     }
     try {
       return InetAddress.getByName(name);
     } catch (UnknownHostException e) {
-      throw new UsageException("--host is " + name + ", must be an address of this machine");
+      throw new UsageException(text("hostMustBe", name));
     }
   }
 
@@ -110,8 +112,7 @@ final class PortOptions {
   static InetAddress following(InetAddress first, int steps) throws UsageException {
     Optional<InetAddress> following = AddressRow.after(first, steps);
     if (following.isEmpty()) {
-      throw new UsageException(
-          "--host is " + first.getHostAddress() + ", must be the first of a row of addresses");
+      throw new UsageException(text("hostMustBeFirst", first.getHostAddress()));
     }
     return following.get();
   }

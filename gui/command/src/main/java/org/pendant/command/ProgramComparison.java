@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -57,7 +59,7 @@ final class ProgramComparison {
     Controller controller = new Controller(options.controller().withStart(start));
     LoadResult loaded = controller.load(source);
     Report.diagnostics(source, loaded.diagnostics()).forEach(console::complainInLines);
-    program.wrongInReceived(loaded.diagnostics()).forEach(console::complain);
+    program.wrongInReceived(loaded.diagnostics()).forEach(console::complainFromEnglish);
     if (loaded.program().isEmpty()) {
       return new Outcome(ExitCode.DOES_NOT_COMPILE, Optional.empty());
     }
@@ -79,10 +81,9 @@ final class ProgramComparison {
       console.complain(
           Report.error(
               source,
-              "the program did not move the arm"
-                  + (code == ExitCode.DONE
-                      ? " within " + SampleCollector.MAX_WAIT_S + " s of robot time"
-                      : "")));
+              code == ExitCode.DONE
+                  ? text("armNotMovedWithin", SampleCollector.MAX_WAIT_S)
+                  : text("armNotMoved")));
       return new Outcome(code.or(ExitCode.PROGRAM_FAILED), Optional.empty());
     }
     RunComparison comparison =

@@ -1,6 +1,9 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.Optional;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.controller.Robot;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Popup;
@@ -63,7 +66,7 @@ final class ProgramReport {
       print(entry);
     }
     for (Popup popup : state.newPopups()) {
-      complain(Report.popup(popup));
+      console.complain(prefix + Report.popup(popup));
     }
   }
 
@@ -116,15 +119,24 @@ final class ProgramReport {
     complain(Report.error(source, message));
   }
 
+  /** The same by what others have said in English, one {@code char} a byte. */
+  void errorFromEnglish(String message) {
+    error(CommandLanguage.shown(ByteText.decoded(message)));
+  }
+
   /** It is stopped because of a safety stop. */
   void stoppedBy(SafetyStop stop) {
     heldBy = Optional.of(stop);
   }
 
-  /** Says that it was stopped as its time was over. */
+  /**
+   * It was stopped as its time was over.
+   *
+   * @param limit says which time
+   */
   ExitCode timedOut(String limit) {
     tellStopEntry(Optional.empty());
-    error("stopped after " + limit);
+    error(limit);
     return ExitCode.TIMED_OUT;
   }
 
@@ -140,9 +152,13 @@ final class ProgramReport {
         Report.failure(source, failed.failure())
             .forEach(each -> console.complainInLines(prefix + each));
         file.nodeAt(failed.failure().line())
-            .ifPresent(node -> complain(node + ByteText.decoded(failed.failure().message())));
+            .ifPresent(
+                node ->
+                    complain(
+                        node
+                            + CommandLanguage.shown(ByteText.decoded(failed.failure().message()))));
         if (failed.failure().code().equals("no-answer")) {
-          complain(Report.note(source, "--answer \"TEXT=VALUE\" prepares an answer"));
+          complain(Report.note(source, text("prepareAnswer")));
         }
         yield failed.failure().code().equals("internal-error")
             ? ExitCode.INTERNAL_ERROR
@@ -150,9 +166,9 @@ final class ProgramReport {
       }
       case Ending.Stopped stopped -> {
         int line = stoppedInLine();
-        why.ifPresent(reason -> error("stopped in line " + line + ": " + reason));
+        why.ifPresent(reason -> error(text("stoppedInLine", line, ByteText.decoded(reason))));
         if (why.isPresent()) {
-          file.nodeAt(line).ifPresent(node -> complain(node + "stopped here"));
+          file.nodeAt(line).ifPresent(node -> complain(node + text("stoppedHere")));
         }
         yield why.isPresent() ? ExitCode.PROGRAM_FAILED : ExitCode.DONE;
       }

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.BufferedWriter;
 import java.io.Closeable;
 import java.io.IOException;
@@ -80,7 +82,7 @@ final class ReceivedFile implements Closeable {
   }
 
   private static UsageException unwritable(OutputFile file, IOException e) {
-    return new UsageException(file.name() + ": cannot be written, " + FileTrouble.reason(e));
+    return new UsageException(text("cannotBeWritten", file.name(), FileTrouble.reason(e)));
   }
 
   /** Its name, without its folder. */

@@ -1,8 +1,11 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.controller.DebugCommand;
 import org.pendant.language.check.Nearest;
 import org.pendant.script.variables.VariablePath;
@@ -47,23 +50,22 @@ record RecordColumns(List<VariablePath> variables) {
       }
     }
     if (!paths.isEmpty() && record.isEmpty()) {
-      throw new UsageException("--column goes with --record, which is missing");
+      throw new UsageException(text("columnGoesWithRecord"));
     }
     if (paths.size() > VariableTracer.MOST) {
-      throw new UsageException(
-          "--column is given " + paths.size() + " times, at most " + VariableTracer.MOST);
+      throw new UsageException(text("tooManyColumns", paths.size(), VariableTracer.MOST));
     }
     return new RecordColumns(paths);
   }
 
   private static VariablePath path(String text) throws UsageException {
     if (!text.startsWith(PREFIX)) {
-      throw new UsageException("--column is " + text + ", must be var:NAME");
+      throw new UsageException(text("columnMustBe", text));
     }
     try {
       return VariablePath.of(text.substring(PREFIX.length()));
     } catch (IllegalArgumentException e) {
-      throw new UsageException("--column " + text + ": " + e.getMessage());
+      throw new UsageException("--column " + text + ": " + CommandLanguage.shown(e.getMessage()));
     }
   }
 
@@ -75,16 +77,10 @@ record RecordColumns(List<VariablePath> variables) {
         String hint =
             new Nearest()
                 .to(path.name(), () -> known)
-                .map(near -> ", did you mean " + near + "?")
+                .map(near -> text("didYouMean", near))
                 .orElse("");
         throw new UsageException(
-            "--column var:"
-                + path.text()
-                + ": "
-                + program.name()
-                + " has no variable "
-                + path.name()
-                + hint);
+            text("noSuchVariable", path.text(), program.name(), path.name(), hint));
       }
     }
   }

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.IOException;
 import java.net.ConnectException;
 import java.net.InetSocketAddress;
@@ -43,15 +45,14 @@ final class RecordCommand implements Subcommand {
   public ExitCode run(Arguments arguments, Console console) throws UsageException {
     RecordOptions options = RecordOptions.of(arguments);
     if (!arguments.operands().isEmpty()) {
-      throw new UsageException("takes no file, it was given " + arguments.operands().getFirst());
+      throw new UsageException(text("takesNoFile", arguments.operands().getFirst()));
     }
     String place = options.host() + ":" + options.port();
-    Interruption interruption = Interruption.listen("the recording");
+    Interruption interruption = Interruption.listen("theRecording");
     try (interruption;
         RtdeClient client = connect(options)) {
       List<ReceivedField> fields = subscribe(client, options, console);
-      console.complain(
-          "pendant record: " + place + ", controller version " + client.controllerVersion());
+      console.complain(text("controllerVersion", place, client.controllerVersion()));
       interruption.hold();
       ExitCode code = record(client, fields, options, interruption, console);
       console.flush();
@@ -66,16 +67,16 @@ final class RecordCommand implements Subcommand {
   private static RtdeClient connect(RecordOptions options) throws IOException {
     InetSocketAddress address = new InetSocketAddress(options.host(), options.port());
     if (address.isUnresolved()) {
-      throw new IOException("there is no computer of this name");
+      throw new IOException(text("noComputer"));
     }
     return RtdeClient.connect(address);
   }
 
   private static String reason(IOException e) {
     return switch (e) {
-      case ConnectException _ -> "cannot be reached, nothing listens there or it is off";
-      case NoRouteToHostException _ -> "cannot be reached, there is no way to it";
-      case SocketTimeoutException late -> "cannot be reached, " + late.getMessage();
+      case ConnectException _ -> text("nothingListens");
+      case NoRouteToHostException _ -> text("noWay");
+      case SocketTimeoutException late -> text("cannotBeReached", late.getMessage());
       default -> String.valueOf(e.getMessage());
     };
   }
@@ -93,10 +94,9 @@ final class RecordCommand implements Subcommand {
         case RtdeClient.Subscription.Unknown unknown -> {
           String missing = String.join(", ", unknown.names());
           if (options.chosen() || !names.removeAll(unknown.names()) || names.isEmpty()) {
-            throw new UsageException("the controller has no field " + missing);
+            throw new UsageException(text("noField", missing));
           }
-          console.complain(
-              "pendant record: note: the controller has no field " + missing + ", left out");
+          console.complain(text("fieldLeftOut", missing));
         }
       }
     }
@@ -133,8 +133,7 @@ final class RecordCommand implements Subcommand {
     try {
       file.close();
     } catch (IOException e) {
-      throw new UsageException(
-          "the draft of " + file.shortName() + " stays: " + FileTrouble.reason(e));
+      throw new UsageException(text("draftStays", file.shortName(), FileTrouble.reason(e)));
     }
   }
 
@@ -178,18 +177,18 @@ final class RecordCommand implements Subcommand {
           heardNs = System.nanoTime();
           write(data.get());
         } else if (lost.isEmpty() && System.nanoTime() - heardNs > SILENCE_NS) {
-          lost = Optional.of("it sends nothing any more");
+          lost = Optional.of(text("sendsNothing"));
         }
       }
       String written =
           String.format(
               Locale.ROOT,
-              "%d rows, %.1f s, are in %s",
+              text("rowsAreIn"),
               count,
               count / options.frequencyHz(),
               files.stream().map(ReceivedFile::shortName).collect(Collectors.joining(", ")));
       if (lost.isPresent()) {
-        console.complain("pendant record: the connection is lost, " + lost.get() + "; " + written);
+        console.complain(text("connectionLost", lost.get(), written));
         return ExitCode.UNAVAILABLE;
       }
       console.complain("pendant record: " + written);

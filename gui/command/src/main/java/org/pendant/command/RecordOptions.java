@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashSet;
@@ -149,26 +151,23 @@ record RecordOptions(
     }
     Optional<String> host = arguments.value(HOST);
     if (host.isEmpty() || host.get().isBlank()) {
-      throw new UsageException("no controller named, expected " + HOST.usage());
+      throw new UsageException(text("noControllerNamed", HOST.usage()));
     }
     if (out.isEmpty()) {
-      throw new UsageException("no file named, expected " + OUT.usage());
+      throw new UsageException(text("noFileNamed", OUT.usage()));
     }
     if (new HashSet<>(names).size() < names.size()) {
-      throw new UsageException(OUT.name() + " names the same file twice");
+      throw new UsageException(text("sameFileTwice", OUT.name()));
     }
     Optional<String> named = arguments.value(FIELDS);
     List<String> fields = named.isPresent() ? fields(named.get()) : STANDARD_FIELDS;
     if (out.stream().anyMatch(RecordOptions::isRecording)) {
       if (arm.isEmpty()) {
-        throw new UsageException(
-            "a .rec says which arm it is of, and RTDE does not tell: "
-                + RunOptions.ROBOT.usage()
-                + " is missing");
+        throw new UsageException(text("armMissing", RunOptions.ROBOT.usage()));
       }
       if (!fields.containsAll(NEEDED)) {
         throw new UsageException(
-            FIELDS.name() + " must have " + String.join(" and ", NEEDED) + " for a .rec");
+            text("fieldsMissing", FIELDS.name(), String.join(" and ", NEEDED)));
       }
     }
     OptionalInt port = arguments.whole(PORT);
@@ -195,11 +194,7 @@ record RecordOptions(
     List<String> names = Arrays.stream(text.split(",", -1)).map(String::strip).toList();
     for (String each : names) {
       if (!each.matches("\\w+") || names.indexOf(each) != names.lastIndexOf(each)) {
-        throw new UsageException(
-            FIELDS.name()
-                + " has '"
-                + each
-                + "', must be different names with commas between, such as timestamp,actual_q");
+        throw new UsageException(text("fieldsMustBe", FIELDS.name(), each));
       }
     }
     return names;

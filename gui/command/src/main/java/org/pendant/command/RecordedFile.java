@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
@@ -58,14 +60,13 @@ record RecordedFile(
     refuseDirectory(name, path);
     try {
       if (Files.isRegularFile(path) && Files.size(path) > MAX_BYTES) {
-        throw new UsageException(
-            name + " has " + Files.size(path) + " bytes, must have at most " + MAX_BYTES);
+        throw new UsageException(text("bytesAtMost", name, Files.size(path), MAX_BYTES));
       }
       return name.toLowerCase(Locale.ROOT).endsWith(RECORDING)
           ? of(name, open(name, path))
           : ofTable(name, path, frequencyHz);
     } catch (MalformedTable e) {
-      throw new UsageException(e.getMessage());
+      throw UsageException.fromEnglish(e);
     } catch (IOException e) {
       throw SourceFiles.unreadable(name, e);
     }
@@ -74,7 +75,7 @@ record RecordedFile(
   private static RecordedFile of(String name, RecordingFile.Opened opened) throws UsageException {
     Samples samples = RecordedSamples.of(opened.recording());
     if (samples.rows() < 2) {
-      throw new UsageException(name + " has " + samples.rows() + " samples, must be 2 or more");
+      throw new UsageException(text("samplesAtLeast", name, samples.rows()));
     }
     return withSpeeds(
         name, samples, opened.warning().stream().toList(), Optional.of(opened.recording()));
@@ -127,7 +128,7 @@ record RecordedFile(
 
   private static void refuseDirectory(String name, Path path) throws UsageException {
     if (Files.isDirectory(path)) {
-      throw new UsageException(name + " is a directory, expected a recording");
+      throw new UsageException(text("directoryNotRecording", name));
     }
   }
 

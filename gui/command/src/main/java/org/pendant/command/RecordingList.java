@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -48,14 +50,7 @@ record RecordingList(List<Entry> entries) {
       } else if (!line.isBlank()) {
         List<String> words = new ArrayList<>(Arrays.asList(line.strip().split("\\s+")));
         if (heading.isEmpty() || words.size() < 2) {
-          throw new UsageException(
-              name
-                  + ":"
-                  + number
-                  + ":1: there is '"
-                  + line
-                  + "', expected a heading (# ...) and below it options, a recording and a"
-                  + " program");
+          throw new UsageException(text("headingExpected", name, number, line));
         }
         for (int i = words.size() - 2; i < words.size(); i++) {
           words.set(i, folder.resolve(words.get(i)).toString());
@@ -65,7 +60,7 @@ record RecordingList(List<Entry> entries) {
       }
     }
     if (entries.isEmpty()) {
-      throw new UsageException(name + ":1:1: the list is empty, expected recordings");
+      throw new UsageException(text("listEmpty", name));
     }
     return new RecordingList(entries);
   }

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -93,9 +95,9 @@ final class RedTests {
         files.put(id, record(id, folder, name, pictures));
       }
     } catch (IOException e) {
-      throw new UsageException(folder + ": cannot be written, " + FileTrouble.reason(e));
+      throw new UsageException(text("cannotBeWritten", folder, FileTrouble.reason(e)));
     } catch (UncheckedIOException e) {
-      throw new UsageException(folder + ": cannot be written, " + FileTrouble.reason(e.getCause()));
+      throw new UsageException(text("cannotBeWritten", folder, FileTrouble.reason(e.getCause())));
     }
     return files;
   }

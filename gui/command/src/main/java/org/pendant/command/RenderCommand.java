@@ -1,10 +1,13 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import org.pendant.command.service.GraphicsUnavailable;
 import org.pendant.command.service.Picture;
 import org.pendant.command.service.PictureRenderer;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.controller.Controller;
 import org.pendant.controller.world.MovedScene;
 import org.pendant.language.source.Source;
@@ -39,7 +42,7 @@ final class RenderCommand implements Subcommand {
   @Override
   public ExitCode run(Arguments arguments, Console console) throws UsageException {
     if (arguments.operands().size() != 1) {
-      throw new UsageException("expected one file, there are " + arguments.operands().size());
+      throw new UsageException(text("oneFileExpected", arguments.operands().size()));
     }
     RunnableFile file = RunnableFile.read(arguments).getFirst();
     RenderOptions options = RenderOptions.of(arguments, file.installation(), file.robot());
@@ -50,7 +53,7 @@ final class RenderCommand implements Subcommand {
           new Controller(options.run().controller().withOutside(scriptConnectors.connectors()));
       return run(file.asked(options.run().drivers()), controller, options, console);
     } catch (NoScript e) {
-      console.complain(file.file() + ": error: " + e.getMessage());
+      console.complain(text("errorIn", file.file(), CommandLanguage.shown(e.getMessage())));
       return ExitCode.UNAVAILABLE;
     }
   }
@@ -64,18 +67,18 @@ final class RenderCommand implements Subcommand {
     Source source = file.source().get();
     LoadResult loadResult = controller.load(source);
     Report.diagnostics(source, loadResult.diagnostics()).forEach(console::complainInLines);
-    file.wrongInReceived(loadResult.diagnostics()).forEach(console::complain);
+    file.wrongInReceived(loadResult.diagnostics()).forEach(console::complainFromEnglish);
     if (loadResult.program().isEmpty()) {
       return ExitCode.DOES_NOT_COMPILE;
     }
     // Before the program runs: without graphics there is no use in that.
     Optional<PictureRenderer.Factory> renderers = services.renderers().get();
     if (renderers.isEmpty()) {
-      console.complain("pendant render: cannot draw: the desktop is not on the class path");
+      console.complain(text("cannotDraw"));
       return ExitCode.UNAVAILABLE;
     }
     try (PictureRenderer renderer = renderers.get().start();
-        Interruption interruption = Interruption.listen("the run");
+        Interruption interruption = Interruption.listen("theRun");
         WallLimit wall = WallLimit.begin(options.run().wallTimeoutS(), file.file())) {
       interruption.hold();
       Exposure exposure = new Exposure(controller.state(), options.atS(), renderer);
@@ -84,14 +87,14 @@ final class RenderCommand implements Subcommand {
           new HeadlessRun(file, controller, options.run(), interruption, wall, console, exposure)
               .run(program);
       if (exposure.tooEarly() && code == ExitCode.DONE) {
-        console.complain(Report.note(source, "ended before --at; the picture shows its end"));
+        console.complain(Report.note(source, text("endedBeforeAt")));
       }
       code = code.or(write(renderer, picture(exposure, controller, options), options, console));
       // Before the interruption is closed: after that the process may be gone at any moment.
       console.flush();
       return code;
     } catch (GraphicsUnavailable e) {
-      console.complain("pendant render: " + e.getMessage());
+      console.complain("pendant render: " + CommandLanguage.shown(e.getMessage()));
       return ExitCode.UNAVAILABLE;
     }
   }
@@ -117,7 +120,7 @@ final class RenderCommand implements Subcommand {
       options.out().write(out -> renderer.write(picture, out));
       return ExitCode.DONE;
     } catch (UsageException e) {
-      console.complain("pendant render: " + e.getMessage());
+      console.complain("pendant render: " + CommandLanguage.shown(e.getMessage()));
       return ExitCode.WRONG_USAGE;
     }
   }

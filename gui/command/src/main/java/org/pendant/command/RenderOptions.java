@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -102,7 +104,7 @@ record RenderOptions(
   private static OutputFile out(Arguments arguments) throws UsageException {
     Optional<OutputFile> out = OutputFile.of(OUT, arguments);
     if (out.isEmpty()) {
-      throw new UsageException("no picture named, expected " + OUT.usage());
+      throw new UsageException(text("noPictureNamed", OUT.usage()));
     }
     return out.get();
   }
@@ -110,13 +112,7 @@ record RenderOptions(
   private static Matcher size(String text) throws UsageException {
     Matcher size = WIDTH_AND_HEIGHT.matcher(text);
     if (!size.matches() || !allowed(size.group(1)) || !allowed(size.group(2))) {
-      throw new UsageException(
-          "--size is "
-              + text
-              + ", must be width x height in pixels such as 1280x800, each "
-              + MIN_PX
-              + " to "
-              + MAX_PX);
+      throw new UsageException(text("sizeMustBe", text, MIN_PX, MAX_PX));
     }
     return size;
   }

@@ -1,7 +1,10 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Popup;
 import org.pendant.language.source.ByteText;
@@ -21,7 +24,7 @@ final class Report {
 
   /** What the compiler says about {@code source}. */
   static List<String> diagnostics(Source source, List<Diagnostic> diagnostics) {
-    return diagnostics.stream().map(each -> DiagnosticFormat.format(source, each)).toList();
+    return diagnostics.stream().map(each -> format(source, each)).toList();
   }
 
   /** Why the program in {@code source} failed, with the script's call stack, innermost first. */
@@ -29,28 +32,36 @@ final class Report {
     Diagnostic diagnostic =
         Diagnostic.error(failure.code(), failure.range(), failure.message(), "");
     List<String> lines = new ArrayList<>();
-    lines.add(DiagnosticFormat.format(source, diagnostic));
+    lines.add(format(source, diagnostic));
     int depth = failure.stack().size();
     for (int i = 0; i < depth; i++) {
       if (depth > MAX_CALLS && i == INNERMOST_CALLS) {
         int left = depth - MAX_CALLS;
-        lines.add("  ... " + left + " more");
+        lines.add("  ... " + text("moreCalls", left));
         i += left;
       }
       ScriptFailure.StackEntry entry = failure.stack().get(i);
-      lines.add("  in " + entry.function() + ", line " + entry.line());
+      lines.add("  " + text("inFunction", entry.function(), entry.line()));
     }
     return lines;
   }
 
+  private static String format(Source source, Diagnostic diagnostic) {
+    return DiagnosticFormat.format(
+        source,
+        diagnostic,
+        text(diagnostic.isError() ? "error" : "warning"),
+        CommandLanguage.shown(ByteText.decoded(diagnostic.message())));
+  }
+
   /** A complaint about all of {@code source}. */
   static String error(Source source, String message) {
-    return source.name() + ": error: " + ByteText.decoded(message);
+    return text("errorIn", source.name(), message);
   }
 
   /** A remark about all of {@code source}. */
   static String note(Source source, String message) {
-    return source.name() + ": note: " + message;
+    return text("noteIn", source.name(), message);
   }
 
   /** A log line of the controller: where the program was if it knows, else its file. */
@@ -63,20 +74,20 @@ final class Report {
     String place = entry.place().map(each -> each.source() + ":" + each.line() + ": ").orElse("");
     String kind =
         switch (entry.level()) {
-          case INFO -> "note";
-          case WARNING -> "warning";
-          case ERROR -> "error";
+          case INFO -> text("note");
+          case WARNING -> text("warning");
+          case ERROR -> text("error");
         };
-    return place + kind + ": " + ByteText.decoded(entry.text());
+    return place + kind + ": " + CommandLanguage.shown(ByteText.decoded(entry.text()));
   }
 
   /** A popup, as there is no screen to show it on. */
   static String popup(Popup popup) {
     String kind =
         switch (popup.severity()) {
-          case MESSAGE -> "popup";
-          case WARNING -> "popup (warning)";
-          case ERROR -> "popup (error)";
+          case MESSAGE -> text("popup");
+          case WARNING -> text("popupWarning");
+          case ERROR -> text("popupError");
         };
     return kind + ": " + ByteText.decoded(popup.title() + ": " + popup.text());
   }

@@ -1,11 +1,14 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.language.check.Nearest;
 import org.pendant.models.arm.ArmDescription;
@@ -20,23 +23,21 @@ final class RobotName {
   /**
    * The id of the arm called {@code word}.
    *
-   * @param what the option or operand, for the message
+   * @param what says which option or operand, for the message
    * @throws UsageException if there is no such arm; the message names all, and the likely one
    */
-  static String idOf(String what, String word) throws UsageException {
+  static String idOf(Supplier<String> what, String word) throws UsageException {
     Optional<String> id = ArmLibrary.find(word);
     if (id.isPresent()) {
       return id.get();
     }
     throw new UsageException(
-        what
-            + " is "
-            + word
-            + ", must be one of "
-            + String.join(", ", ArmLibrary.ids())
-            + likely(word.toLowerCase(Locale.ROOT))
-                .map(n -> "; did you mean " + n + "?")
-                .orElse(""));
+        text(
+            "mustBeOneOf",
+            what.get(),
+            word,
+            String.join(", ", ArmLibrary.ids()),
+            likely(word.toLowerCase(Locale.ROOT)).map(n -> text("didYouMeanLast", n)).orElse("")));
   }
 
   /** Whether {@code word} is the name of an arm file and of no model. */
@@ -50,10 +51,10 @@ final class RobotName {
    * @throws UsageException if it cannot be read or is none; the message says where and why
    */
   static ArmDescription read(String name, SourceFiles files) throws UsageException {
-    try (InputStream in = Files.newInputStream(files.path("the arm file", name))) {
+    try (InputStream in = Files.newInputStream(files.path("theArmFile", name))) {
       return ArmFile.read(name, in);
     } catch (JsonException e) {
-      throw new UsageException(e.getMessage());
+      throw UsageException.fromEnglish(e);
     } catch (IOException e) {
       throw SourceFiles.unreadable(name, e);
     }
@@ -68,7 +69,7 @@ final class RobotName {
     String robot = arguments.value(RunOptions.ROBOT).orElse(ControllerOptions.DEFAULT_ROBOT);
     return isFile(robot)
         ? read(robot, arguments.files())
-        : ArmLibrary.load(idOf(RunOptions.ROBOT.name(), robot));
+        : ArmLibrary.load(idOf(RunOptions.ROBOT::name, robot));
   }
 
   /** The only id that continues where the word ends ({@code ur16}), or else the nearest. */

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.List;
 
 /** Command {@code pendant robots [NAME]}: the arms there are, and what is known of one. */
@@ -27,13 +29,13 @@ final class RobotsCommand implements Subcommand {
     String name = String.join(" ", arguments.operands());
     if (arguments.has(MARKDOWN)) {
       if (!name.isEmpty()) {
-        throw new UsageException("unexpected " + name + ", the page has all arms");
+        throw new UsageException(text("unexpectedOnPage", name));
       }
       console.print(new RobotPage(RobotDataSheet.all()).markdown().stripTrailing());
     } else if (arguments.operands().isEmpty()) {
       RobotList.lines(RobotDataSheet.all()).forEach(console::print);
     } else {
-      new RobotSheet(RobotDataSheet.load(RobotName.idOf("the name", name)))
+      new RobotSheet(RobotDataSheet.load(RobotName.idOf(() -> text("theName"), name)))
           .lines()
           .forEach(console::print);
     }

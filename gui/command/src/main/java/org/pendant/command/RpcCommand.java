@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.util.List;
@@ -42,7 +44,7 @@ final class RpcCommand implements Subcommand {
   @Override
   public ExitCode run(Arguments arguments, Console console) throws UsageException {
     if (!arguments.operands().isEmpty()) {
-      throw new UsageException("takes no file, it was given " + arguments.operands().getFirst());
+      throw new UsageException(text("takesNoFile", arguments.operands().getFirst()));
     }
     RpcServer.Output output =
         new RpcServer.Output() {
@@ -66,7 +68,7 @@ final class RpcCommand implements Subcommand {
           .serve(input);
       return ExitCode.DONE;
     } catch (IOException e) {
-      console.complain("pendant rpc: standard input cannot be read: " + e.getMessage());
+      console.complain(text("inputCannotBeRead", e.getMessage()));
       return ExitCode.WRONG_USAGE;
     }
   }

@@ -1,9 +1,12 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.IOException;
 import java.net.InetAddress;
 import java.util.List;
 import java.util.Optional;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.controller.Controller;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.builtin.StandardBuiltins;
@@ -56,23 +59,22 @@ final class RunCommand implements Subcommand {
       return new CellRunner(cell.get(), arguments, console).run();
     }
     if (arguments.operands().isEmpty()) {
-      throw new UsageException("no file given");
+      throw new UsageException(text("noFileGiven"));
     }
     boolean profiled = arguments.has(LineReport.OPTION);
     if (options.record().isEmpty() && !profiled && arguments.has(OutputFile.FORCE)) {
-      throw new UsageException("--force goes with --record or --profile, which are missing");
+      throw new UsageException(text("forceGoesWithRecordOrProfile"));
     }
     if ((options.record().isPresent() || profiled) && arguments.operands().size() > 1) {
       throw new UsageException(
-          (profiled ? LineReport.OPTION : RunOptions.RECORD).name()
-              + " goes with one program, there are several");
+          text("goesWithOneProgram", (profiled ? LineReport.OPTION : RunOptions.RECORD).name()));
     }
     List<RunnableFile> files = RunnableFile.read(arguments);
     Recorded recorded = recorded(arguments, columns);
     InstallationOption.tell(arguments, console);
     Builtins<ControlBox> builtins = StandardBuiltins.create();
     ExitCode code = ExitCode.DONE;
-    try (Interruption interruption = Interruption.listen("the run")) {
+    try (Interruption interruption = Interruption.listen("theRun")) {
       for (RunnableFile file : files) {
         file.tell(console);
         RunOptions own =
@@ -83,7 +85,7 @@ final class RunCommand implements Subcommand {
           RunnableFile whole = file.asked(own.drivers());
           code = code.or(run(whole, own, recorded, builtins, interruption, wall, console));
         } catch (NoScript e) {
-          console.complain(file.file() + ": error: " + e.getMessage());
+          console.complain(text("errorIn", file.file(), CommandLanguage.shown(e.getMessage())));
           code = code.or(ExitCode.UNAVAILABLE);
         }
         if (interruption.requested() || console.outputClosed()) {
@@ -108,7 +110,7 @@ final class RunCommand implements Subcommand {
     Optional<OutputFile> record = OutputFile.of(RunOptions.RECORD, arguments);
     Optional<OutputFile> profile = OutputFile.of(LineReport.OPTION, arguments);
     if (record.isPresent() && record.map(OutputFile::path).equals(profile.map(OutputFile::path))) {
-      throw new UsageException("--record and --profile name the same file");
+      throw new UsageException(text("recordAndProfileSame"));
     }
     return new Recorded(record, columns, profile);
   }
@@ -137,7 +139,7 @@ final class RunCommand implements Subcommand {
           return run(file, controller, options, recorded, interruption, wall, console);
         }
       } catch (IOException e) {
-        console.complain("pendant run: " + e.getMessage());
+        console.complain("pendant run: " + CommandLanguage.shown(e.getMessage()));
         return ExitCode.UNAVAILABLE;
       }
     }
@@ -165,7 +167,7 @@ final class RunCommand implements Subcommand {
     Source source = file.source().get();
     LoadResult loadResult = controller.load(source);
     Report.diagnostics(source, loadResult.diagnostics()).forEach(console::complainInLines);
-    file.wrongInReceived(loadResult.diagnostics()).forEach(console::complain);
+    file.wrongInReceived(loadResult.diagnostics()).forEach(console::complainFromEnglish);
     if (loadResult.program().isEmpty()) {
       return ExitCode.DOES_NOT_COMPILE;
     }

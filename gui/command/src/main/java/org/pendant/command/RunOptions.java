@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.nio.charset.StandardCharsets;
 import java.time.InstantSource;
 import java.util.ArrayList;
@@ -10,6 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.controller.Clock;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.VirtualClock;
@@ -294,13 +297,13 @@ record RunOptions(
     if (name.isPresent()) {
       return RobotName.isFile(name.get())
           ? options.withRobot(RobotName.read(name.get(), arguments.files()))
-          : options.withRobot(RobotName.idOf(ROBOT.name(), name.get()));
+          : options.withRobot(RobotName.idOf(ROBOT::name, name.get()));
     }
     Optional<String> installed =
         installation.map(Installation::robot).filter(robot -> !robot.isEmpty());
     return options.withRobot(
         installed.isPresent()
-            ? RobotName.idOf("robot of the installation", installed.get())
+            ? RobotName.idOf(() -> text("robotOfInstallation"), installed.get())
             : armOfProgram.orElse(ControllerOptions.DEFAULT_ROBOT));
   }
 
@@ -309,7 +312,7 @@ record RunOptions(
     try {
       return Long.parseLong(text);
     } catch (NumberFormatException e) {
-      throw new UsageException("--seed is " + text + ", must be a whole number");
+      throw new UsageException(text("seedMustBe", text));
     }
   }
 
@@ -320,8 +323,7 @@ record RunOptions(
     }
     OptionalDouble factor = Arguments.parsed(text);
     if (!(factor.orElse(0) > 0 && factor.orElse(0) <= 1000)) {
-      throw new UsageException(
-          "--speed is " + text + ", must be max or a number above 0, at most 1000");
+      throw new UsageException(text("speedMustBe", text));
     }
     return Optional.of(factor.getAsDouble());
   }
@@ -335,7 +337,8 @@ record RunOptions(
         try {
           inputs.put(name, SignalText.level(text.substring(equals + 1)));
         } catch (IllegalArgumentException e) {
-          throw new UsageException("--input " + text + ": " + e.getMessage());
+          throw new UsageException(
+              "--input " + text + ": " + CommandLanguage.shown(e.getMessage()));
         }
       }
     }
@@ -352,14 +355,10 @@ record RunOptions(
           writes.addAll(SignalText.input(name, text.substring(equals + 1)));
         } catch (UnknownSignal e) {
           throw new UsageException(
-              "--input "
-                  + text
-                  + ": "
-                  + e.getMessage()
-                  + ", or "
-                  + String.join(", ", SAFETY_INPUTS));
+              text("inputNameOr", text, e.getMessage(), String.join(", ", SAFETY_INPUTS)));
         } catch (IllegalArgumentException e) {
-          throw new UsageException("--input " + text + ": " + e.getMessage());
+          throw new UsageException(
+              "--input " + text + ": " + CommandLanguage.shown(e.getMessage()));
         }
       }
     }
@@ -371,11 +370,11 @@ record RunOptions(
     if (name.isEmpty()) {
       return InputWaveforms.NONE;
     }
-    byte[] table = arguments.files().bytes("the waveforms", name.get());
+    byte[] table = arguments.files().bytes("theWaveforms", name.get());
     try {
       return WaveformText.parse(name.get(), new String(table, StandardCharsets.UTF_8));
     } catch (IllegalArgumentException e) {
-      throw new UsageException(e.getMessage());
+      throw UsageException.fromEnglish(e);
     }
   }
 
@@ -385,14 +384,12 @@ record RunOptions(
       int equals = separator(ENCODER, text);
       String index = text.substring(0, equals);
       if (!index.equals("0") && !index.equals("1")) {
-        throw new UsageException(
-            "--encoder " + text + ": encoder is " + index + ", must be 0 or 1");
+        throw new UsageException(text("encoderMustBe", text, index));
       }
       String rate = text.substring(equals + 1);
       double ticksPerS = Arguments.parsed(rate).orElse(Double.NaN);
       if (!(Math.abs(ticksPerS) <= Encoder.MAX_TICKS_PER_S)) {
-        throw new UsageException(
-            "--encoder " + index + " is " + rate + ", must be -1000000 to 1000000 ticks a second");
+        throw new UsageException(text("encoderRateMustBe", index, rate));
       }
       belts.put(Integer.parseInt(index), ticksPerS);
     }
@@ -411,7 +408,7 @@ record RunOptions(
   private static int separator(Option option, String text) throws UsageException {
     int equals = text.indexOf('=');
     if (equals < 0) {
-      throw new UsageException(option.name() + " is " + text + ", must be " + option.value());
+      throw new UsageException(text("mustBe", option.name(), text, option.value()));
     }
     return equals;
   }

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -92,18 +94,14 @@ final class RunRecord implements FrameWatcher, AutoCloseable {
       FileDraft draft = FileDraft.replacing(wanted.path());
       try {
         Output output = begin(wanted, draft.out(), columns, drive);
-        console.complain(
-            "pendant run: note: "
-                + wanted.name()
-                + " is replaced when the run has ended; until then the record is "
-                + draft.beside());
+        console.complain(text("replacedAtEnd", wanted.name(), draft.beside()));
         return new RunRecord(Optional.of(output), Optional.of(draft), console);
       } catch (IOException e) {
         draft.close();
         throw e;
       }
     } catch (IOException e) {
-      throw new UsageException(wanted.name() + ": cannot be written, " + FileTrouble.reason(e));
+      throw new UsageException(text("cannotBeWritten", wanted.name(), FileTrouble.reason(e)));
     }
   }
 
@@ -150,9 +148,9 @@ final class RunRecord implements FrameWatcher, AutoCloseable {
   private void fail(IOException cause) {
     if (!failed) {
       console.complain(
-          "pendant run: the record cannot be written, "
-              + FileTrouble.reason(cause)
-              + (draft.isPresent() ? "; the file that was there stays" : "; it ends here"));
+          text(
+              draft.isPresent() ? "recordFailedFileStays" : "recordFailedAndEnds",
+              FileTrouble.reason(cause)));
     }
     failed = true;
   }

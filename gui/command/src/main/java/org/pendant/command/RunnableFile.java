@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -41,7 +43,7 @@ record RunnableFile(
     List<String> problems) {
 
   /** What it is to a command. */
-  static final String PROGRAM = "the program";
+  static final String PROGRAM = "theProgram";
 
   private static final String SCRIPT = ".script";
 
@@ -103,12 +105,8 @@ record RunnableFile(
     Optional<String> beside = tree.hasGaps() ? scriptBeside(name) : Optional.empty();
     if (beside.isPresent()) {
       List<String> notes = new ArrayList<>(read.notes());
-      notes.add(
-          name
-              + ": note: it has nodes that do nothing here; "
-              + beside.get()
-              + " runs in its place, which was saved beside it");
-      Source saved = Source.of(beside.get(), files.bytes("the script", beside.get()));
+      notes.add(text("savedScriptRuns", name, beside.get()));
+      Source saved = Source.of(beside.get(), files.bytes("theScript", beside.get()));
       return new RunnableFile(
           name, Optional.of(saved), Optional.empty(), read.own(), tree.robot(), notes, List.of());
     }
@@ -135,8 +133,8 @@ record RunnableFile(
 
   /** Says what is to be said before it runs. */
   void tell(Console console) {
-    notes.forEach(console::complain);
-    problems.forEach(console::complain);
+    notes.forEach(console::complainFromEnglish);
+    problems.forEach(console::complainFromEnglish);
   }
 
   /** Whether a driver must be asked for a part of it before it can run. */

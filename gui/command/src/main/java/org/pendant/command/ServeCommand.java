@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 
@@ -24,7 +26,7 @@ final class ServeCommand implements Subcommand {
   @Override
   public ExitCode run(Arguments arguments, Console console) throws UsageException {
     if (!arguments.operands().isEmpty()) {
-      throw new UsageException("takes no file, it was given " + arguments.operands().getFirst());
+      throw new UsageException(text("takesNoFile", arguments.operands().getFirst()));
     }
     Optional<CellFile> file = CellFile.of(arguments);
     List<CellFile.Member> members =
@@ -45,7 +47,7 @@ final class ServeCommand implements Subcommand {
             ? Optional.of(new ServedCell(file.get(), members, robots, console))
             : Optional.empty();
     InstallationOption.tell(arguments, console);
-    Interruption interruption = Interruption.listen("the server");
+    Interruption interruption = Interruption.listen("theServer");
     try (interruption) {
       interruption.hold();
       ExitCode code = new Service(robots, cell, interruption, console).run();

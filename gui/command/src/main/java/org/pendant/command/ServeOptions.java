@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.IOException;
 import java.net.InetAddress;
 import java.nio.file.Files;
@@ -135,15 +137,13 @@ record ServeOptions(
       return;
     }
     if (ToolSerialOption.of(arguments).isPresent()) {
-      throw new UsageException(
-          ToolSerialOption.OPTION.name() + " is the device of one robot, there are " + count);
+      throw new UsageException(text("deviceOfOneRobot", ToolSerialOption.OPTION.name(), count));
     }
     if (arguments.value(TRACE).isPresent()) {
-      throw new UsageException(TRACE.name() + " is the file of one robot, there are " + count);
+      throw new UsageException(text("fileOfOneRobot", TRACE.name(), count));
     }
     if (arguments.has(AttachPort.OPTION)) {
-      throw new UsageException(
-          AttachPort.OPTION.name() + " is the port of one robot, there are " + count);
+      throw new UsageException(text("portOfOneRobot", AttachPort.OPTION.name(), count));
     }
   }
 
@@ -163,8 +163,7 @@ record ServeOptions(
     PortNumbers first = PortOptions.numbers(arguments);
     List<ArmEntry> arms = file.plan().arms();
     if (arguments.has(ROBOTS)) {
-      throw new UsageException(
-          ROBOTS.name() + " is for robots that share no cell, " + file.name() + " has its own");
+      throw new UsageException(text("noCellOfItsOwn", ROBOTS.name(), file.name()));
     }
     requireOne(arguments, arms.size());
     List<ServeOptions> robots = new ArrayList<>();
@@ -180,11 +179,7 @@ record ServeOptions(
         throw new UsageException(
             arms.get(i)
                 .place()
-                .refusal(
-                    arms.get(i).name()
-                        + " is at "
-                        + host.getHostAddress()
-                        + " as another arm, must have an address of its own")
+                .refusal(text("sameAddress", arms.get(i).name(), host.getHostAddress()))
                 .getMessage());
       }
       PortNumbers numbers = first.at(host);
@@ -227,7 +222,7 @@ record ServeOptions(
 
   private static Optional<OutputFile> trace(Arguments arguments) throws UsageException {
     if (arguments.has(OutputFile.FORCE) && arguments.value(TRACE).isEmpty()) {
-      throw new UsageException("--force goes with --trace, which is missing");
+      throw new UsageException(text("forceGoesWithTrace"));
     }
     return OutputFile.of(TRACE, arguments);
   }
@@ -251,10 +246,10 @@ record ServeOptions(
     try {
       Files.createDirectories(folder);
     } catch (IOException e) {
-      throw new UsageException(LOGS.name() + " is " + folder + ", which cannot be made a folder");
+      throw new UsageException(text("cannotBeMadeFolder", LOGS.name(), folder));
     }
     if (!Files.isWritable(folder)) {
-      throw new UsageException(LOGS.name() + " is " + folder + ", which cannot be written");
+      throw new UsageException(text("folderCannotBeWritten", LOGS.name(), folder));
     }
     return folder;
   }

@@ -48,7 +48,7 @@ final class ServedCell implements AutoCloseable {
     try {
       cell = new Cell(file.plan(), switchedOn, StandardBuiltins.create());
     } catch (JsonException e) {
-      throw new UsageException(e.getMessage());
+      throw UsageException.fromEnglish(e);
     }
     Optional<RunnableFile> text =
         members.getLast().armless() ? members.getLast().program() : Optional.empty();

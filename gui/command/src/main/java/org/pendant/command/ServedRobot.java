@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -10,6 +12,7 @@ import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Supplier;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.FrameLoop;
@@ -125,11 +128,12 @@ final class ServedRobot implements AutoCloseable {
       int others = missing.size() - 1;
       console.complain(
           "pendant serve: "
-              + needed.get().why()
-              + (others > 0 ? " (and " + others + " other ports)" : ""));
+              + (others > 0
+                  ? text("portAndOthers", needed.get().why(), others)
+                  : CommandLanguage.shown(needed.get().why())));
       return false;
     }
-    missing.forEach(each -> console.complain("pendant serve: warning: " + each.why()));
+    missing.forEach(each -> console.complain(text("serveWarning", each.why())));
     return true;
   }
 
@@ -141,21 +145,13 @@ final class ServedRobot implements AutoCloseable {
   private PortNumbers numbers() {
     PortNumbers numbers = options.numbers();
     if (!numbers.host().isLoopbackAddress()) {
-      console.complain(
-          "pendant serve: warning: any computer that reaches "
-              + numbers.host().getHostAddress()
-              + " can move this robot; there are no passwords");
+      console.complain(text("anyComputerMoves", numbers.host().getHostAddress()));
     }
     if (options.modbusChosen() || !PrivilegedPort.forbidden(numbers, PortOptions.MODBUS)) {
       return numbers;
     }
     int instead = 1000 + PortOptions.MODBUS + numbers.offset();
-    console.complain(
-        "pendant serve: note: this process may not use port "
-            + (PortOptions.MODBUS + numbers.offset())
-            + ": Modbus listens at "
-            + instead
-            + "; --modbus-port chooses another one");
+    console.complain(text("modbusElsewhere", PortOptions.MODBUS + numbers.offset(), instead));
     return numbers.with(PortOptions.MODBUS, instead);
   }
 
@@ -173,12 +169,12 @@ final class ServedRobot implements AutoCloseable {
                 file.path(),
                 file.stream(),
                 () -> robot.state().timeS(),
-                why -> console.complain("pendant serve: warning: the trace ends, " + why));
+                why -> console.complain(text("traceEnds", why)));
         trace = Optional.of(begun);
         ports.tap(Optional.of(begun));
         doors.connectors().tap(Optional.of(begun));
       } catch (IOException e) {
-        throw new UsageException(file.name() + ": cannot be written, " + FileTrouble.reason(e));
+        throw new UsageException(text("cannotBeWritten", file.name(), FileTrouble.reason(e)));
       }
     }
   }
@@ -198,10 +194,7 @@ final class ServedRobot implements AutoCloseable {
       trace.get().close();
       long leftOut = trace.get().leftOut();
       if (leftOut > 0) {
-        console.complain(
-            "pendant serve: warning: "
-                + leftOut
-                + " messages are not in the trace, they came faster than they could be written");
+        console.complain(text("messagesNotTraced", leftOut));
       }
     }
   }
@@ -229,12 +222,7 @@ final class ServedRobot implements AutoCloseable {
     try {
       var _ = remotePendant.load(ByteText.asBytes(file));
     } catch (LoadTrouble e) {
-      console.complain(
-          "pendant serve: warning: "
-              + prefix
-              + wanted.get()
-              + " is not loaded: "
-              + ByteText.decoded(e.getMessage()));
+      console.complain(text("notLoaded", prefix, wanted.get(), ByteText.decoded(e.getMessage())));
     }
   }
 

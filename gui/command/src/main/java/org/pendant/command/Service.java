@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.util.ArrayList;
@@ -115,7 +117,7 @@ final class Service {
   private ExitCode failed(Throwable fault) {
     StringWriter details = new StringWriter();
     fault.printStackTrace(new PrintWriter(details, true));
-    console.complain("pendant serve: internal error: " + fault);
+    console.complain(text("internalErrorOfServe", fault));
     console.complainInLines(details.toString().stripTrailing());
     return ExitCode.INTERNAL_ERROR;
   }

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -8,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.box.ArmChoice;
 import org.pendant.controller.box.CellEquipment;
@@ -125,16 +128,16 @@ final class SimulationOptions {
               .orElseThrow(
                   () ->
                       new UsageException(
-                          DEVICE.name()
-                              + " is '"
-                              + kind
-                              + "', must be "
-                              + ((OptionArgument.Choice) DEVICE.argument()).legal())));
+                          text(
+                              "quotedMustBe",
+                              DEVICE.name(),
+                              kind,
+                              ((OptionArgument.Choice) DEVICE.argument()).legal()))));
     }
     try {
       return cell.and(devices);
     } catch (IllegalArgumentException e) {
-      throw new UsageException(DEVICE.name() + ": " + e.getMessage());
+      throw new UsageException(DEVICE.name() + ": " + CommandLanguage.shown(e.getMessage()));
     }
   }
 
@@ -157,21 +160,21 @@ final class SimulationOptions {
   }
 
   private static Scene scene(String name, SourceFiles files) throws UsageException {
-    Path file = files.path("the scene", name);
+    Path file = files.path("theScene", name);
     try (InputStream in = Files.newInputStream(file)) {
       return SceneReader.read(name, in, MeshFiles.in(file.toAbsolutePath().getParent()));
     } catch (JsonException e) {
-      throw new UsageException(e.getMessage());
+      throw UsageException.fromEnglish(e);
     } catch (IOException e) {
       throw SourceFiles.unreadable(name, e);
     }
   }
 
   private static CellEquipment equipment(String name, SourceFiles files) throws UsageException {
-    try (InputStream in = Files.newInputStream(files.path("the scene", name))) {
+    try (InputStream in = Files.newInputStream(files.path("theScene", name))) {
       return EquipmentReader.read(name, in);
     } catch (JsonException e) {
-      throw new UsageException(e.getMessage());
+      throw UsageException.fromEnglish(e);
     } catch (IOException e) {
       throw SourceFiles.unreadable(name, e);
     }
@@ -206,10 +209,10 @@ final class SimulationOptions {
 
   private static SafetyConfiguration safety(String name, ArmDescription robot, SourceFiles files)
       throws UsageException {
-    try (InputStream in = Files.newInputStream(files.path("the safety file", name))) {
+    try (InputStream in = Files.newInputStream(files.path("theSafetyFile", name))) {
       return SafetyConfigurationReader.read(name, in, robot);
     } catch (JsonException e) {
-      throw new UsageException(e.getMessage());
+      throw UsageException.fromEnglish(e);
     } catch (IOException e) {
       throw SourceFiles.unreadable(name, e);
     }

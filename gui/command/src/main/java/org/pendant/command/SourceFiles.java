@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -9,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.recording.RecordingException;
 
@@ -29,7 +32,7 @@ final class SourceFiles {
   /**
    * A file that the command reads.
    *
-   * @param role what it is to the command, such as {@code the scene}
+   * @param role what it is to the command, the key of a text such as {@code theScene}
    * @param name as people call it
    */
   record SourceFile(String role, String name, Path path) {}
@@ -37,7 +40,7 @@ final class SourceFiles {
   /**
    * The path of a file that is going to be read.
    *
-   * @param role what it is to the command, such as {@code the scene}
+   * @param role what it is to the command, the key of a text such as {@code theScene}
    * @throws UsageException when it is no name of a file
    */
   Path path(String role, String name) throws UsageException {
@@ -46,28 +49,27 @@ final class SourceFiles {
       read.add(new SourceFile(role, name, path));
       return path;
     } catch (InvalidPathException e) {
-      throw new UsageException(name + ": not a file name, " + e.getReason());
+      throw new UsageException(text("notAFileName", name, e.getReason()));
     }
   }
 
   /**
    * All of a file.
    *
-   * @param role what it is to the command, such as {@code the program}
+   * @param role what it is to the command, the key of a text such as {@code theProgram}
    * @throws UsageException when it cannot be read
    */
   byte[] bytes(String role, String name) throws UsageException {
     Path path = path(role, name);
     try {
       if (Files.isDirectory(path)) {
-        throw new UsageException(name + " is a directory, expected a file");
+        throw new UsageException(text("directoryNotFile", name));
       }
       // the size that a device or a pipe states says nothing, so the reading itself is bounded
       try (InputStream in = Files.newInputStream(path)) {
         byte[] bytes = in.readNBytes(MAX_BYTES + 1);
         if (bytes.length > MAX_BYTES) {
-          throw new UsageException(
-              name + " has more than " + MAX_BYTES + " bytes, no program is that large");
+          throw new UsageException(text("programTooLarge", name, MAX_BYTES));
         }
         return bytes;
       }
@@ -80,8 +82,8 @@ final class SourceFiles {
   static UsageException unreadable(String name, IOException e) {
     return switch (e) {
       // says itself which file it is
-      case RecordingException damaged -> new UsageException(damaged.getMessage());
-      default -> new UsageException(name + ": " + FileTrouble.reason(e));
+      case RecordingException damaged -> UsageException.fromEnglish(damaged);
+      default -> new UsageException(name + ": " + CommandLanguage.shown(FileTrouble.reason(e)));
     };
   }
 
@@ -104,7 +106,7 @@ final class SourceFiles {
             && read.stream()
                 .filter(each -> each.role().equals(RunnableFile.PROGRAM))
                 .anyMatch(each -> isWith(each.path(), path));
-    return may ? Optional.of(new SourceFile("a toolpath", name, path)) : Optional.empty();
+    return may ? Optional.of(new SourceFile("aToolpath", name, path)) : Optional.empty();
   }
 
   private static boolean isWith(Path program, Path path) {

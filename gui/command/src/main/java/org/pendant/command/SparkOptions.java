@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
@@ -49,22 +51,17 @@ record SparkOptions(Optional<String> master, List<String> settings, Optional<Str
   static SparkOptions of(Arguments arguments) throws UsageException {
     Optional<String> master = arguments.value(MASTER);
     if (master.isPresent() && !LEGAL_MASTER.matcher(master.get()).matches()) {
-      throw new UsageException(
-          "--master is "
-              + master.get()
-              + ", must be one of local[*], local-cluster[WORKERS,CORES,MB], spark://HOST:PORT,"
-              + " yarn, k8s://URL");
+      throw new UsageException(text("masterMustBe", master.get()));
     }
     for (String each : arguments.values(SETTING)) {
       if (!LEGAL_SETTING.matcher(each).matches()) {
-        throw new UsageException("--spark-conf is " + each + ", must be spark.NAME=VALUE");
+        throw new UsageException(text("sparkConfMustBe", each));
       }
       if (each.startsWith("spark.master=")) {
-        throw new UsageException("--spark-conf is " + each + "; --master says whose workers run");
+        throw new UsageException(text("sparkConfMaster", each));
       }
       if (each.equals("spark.submit.deployMode=cluster")) {
-        throw new UsageException(
-            "--spark-conf is " + each + "; the results are written here, so the driver is here");
+        throw new UsageException(text("sparkConfDriver", each));
       }
     }
     return new SparkOptions(master, arguments.values(SETTING), arguments.value(JAR));

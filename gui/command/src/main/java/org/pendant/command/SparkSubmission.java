@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -57,12 +59,7 @@ final class SparkSubmission {
     if (!home.isEmpty()) {
       Path program = Path.of(home, "bin", name);
       if (!Files.isExecutable(program)) {
-        throw new EngineException(
-            "SPARK_HOME is "
-                + home
-                + ", which has no bin/"
-                + name
-                + "; must be the folder of Apache Spark 4.2");
+        throw new EngineException(text("sparkHomeWrong", home, name));
       }
       return program;
     }
@@ -72,28 +69,20 @@ final class SparkSubmission {
         return program;
       }
     }
-    throw new EngineException(
-        "--engine spark needs Apache Spark 4.2 (spark.apache.org): set SPARK_HOME to its folder,"
-            + " or have "
-            + name
-            + " on PATH");
+    throw new EngineException(text("sparkMissing", name));
   }
 
   private static Path jar(Optional<String> given, Map<String, String> environment)
       throws UsageException, EngineException {
     if (given.isPresent()) {
       if (!Files.isRegularFile(Path.of(given.get()))) {
-        throw new UsageException("--spark-jar " + given.get() + ": no such file");
+        throw new UsageException(text("noSparkJar", given.get()));
       }
       return Path.of(given.get());
     }
     String built = environment.getOrDefault(JAR_VARIABLE, "");
     if (built.isEmpty() || !Files.isRegularFile(Path.of(built))) {
-      throw new EngineException(
-          "the jar for Spark is not built, or is older than its sources; this builds it, in the"
-              + " folder of Pendant: "
-              + BUILDING
-              + " (or --spark-jar names one)");
+      throw new EngineException(text("sparkJarNotBuilt", BUILDING));
     }
     return Path.of(built);
   }
@@ -123,7 +112,7 @@ final class SparkSubmission {
     }
     builder.environment().put(SUBMITTED_VARIABLE, "true");
     console.flush();
-    try (Interruption interruption = Interruption.listen("the sweep", PATIENCE_S)) {
+    try (Interruption interruption = Interruption.listen("theSweep", PATIENCE_S)) {
       interruption.hold();
       Process process = builder.start();
       while (process.isAlive() && !interruption.awaitRequest(LOOK_MS)) {
@@ -136,13 +125,12 @@ final class SparkSubmission {
         // a signal ends this process, whatever it answers
         return ExitCode.of(code).orElse(ExitCode.DONE);
       }
-      return ExitCode.of(code)
-          .orElseThrow(() -> new EngineException("spark-submit ended with code " + code));
+      return ExitCode.of(code).orElseThrow(() -> new EngineException(text("sparkEndedWith", code)));
     } catch (IOException e) {
-      throw new EngineException("spark-submit cannot be started: " + e.getMessage(), e);
+      throw new EngineException(text("sparkCannotStart", e.getMessage()), e);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      throw new EngineException("the sweep was interrupted", e);
+      throw new EngineException(text("sweepInterrupted"), e);
     }
   }
 }

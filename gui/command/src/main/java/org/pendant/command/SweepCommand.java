@@ -1,10 +1,13 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.ServiceLoader;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.sweep.Sweep;
 import org.pendant.sweep.engine.Engine;
@@ -55,10 +58,9 @@ final class SweepCommand implements Subcommand {
       return new SweepResults(services).run(action.get(), arguments, console);
     }
     if (arguments.operands().size() != 1) {
-      throw new UsageException(
-          "expected one plan, there are " + arguments.operands().size() + " operands");
+      throw new UsageException(text("onePlanExpected", arguments.operands().size()));
     }
-    Path plan = arguments.files().path("the plan", arguments.operands().getFirst());
+    Path plan = arguments.files().path("thePlan", arguments.operands().getFirst());
     SweepOptions options = SweepOptions.of(arguments, plan);
     try {
       Sweep sweep = Sweep.read(plan);
@@ -76,11 +78,11 @@ final class SweepCommand implements Subcommand {
       e.reports().forEach(console::complainInLines);
       return ExitCode.WRONG_USAGE;
     } catch (SweepFolderException e) {
-      throw new UsageException(e.getMessage());
+      throw UsageException.fromEnglish(e);
     } catch (IOException e) {
-      throw new UsageException(options.out() + ": " + FileTrouble.reason(e));
+      throw new UsageException(options.out() + ": " + CommandLanguage.shown(FileTrouble.reason(e)));
     } catch (EngineException e) {
-      console.complain("pendant sweep: " + e.getMessage());
+      console.complain("pendant sweep: " + CommandLanguage.shown(e.getMessage()));
       return ExitCode.UNAVAILABLE;
     }
   }
@@ -94,11 +96,10 @@ final class SweepCommand implements Subcommand {
             .filter(EngineProvider::available)
             .findFirst();
     if (found.isEmpty() && SparkSubmission.submitted()) {
-      throw new EngineException("the jar that Spark was given has no engine for it");
+      throw new EngineException(text("noEngineInJar"));
     }
     if (found.isPresent() && options.spark().firstGiven().isPresent()) {
-      throw new UsageException(
-          options.spark().firstGiven().get() + " is too late here: spark-submit has read its own");
+      throw new UsageException(text("tooLateForSpark", options.spark().firstGiven().get()));
     }
     return found.filter(each -> options.engine().orElse(each.name()).equals(each.name()));
   }
@@ -121,7 +122,7 @@ final class SweepCommand implements Subcommand {
     ResultTable table = sweep.table();
     List<RowCondition> conditions = options.conditions(table);
     Optional<KeptRuns> kept = options.kept(table);
-    try (Interruption interruption = Interruption.listen("the sweep", PATIENCE_S)) {
+    try (Interruption interruption = Interruption.listen("theSweep", PATIENCE_S)) {
       if (SparkSubmission.submitted()) {
         interruption.listenToEndOf(System.in);
       }
@@ -134,12 +135,12 @@ final class SweepCommand implements Subcommand {
       SweepSummary summary = summary(options.out(), table, conditions);
       summary.lines().forEach(console::print);
       console.print("");
-      console.print("results: " + options.out().resolve(SweepFolder.RESULTS));
+      console.print(text("resultsAre", options.out().resolve(SweepFolder.RESULTS)));
       if (kept.isPresent() && !interruption.requested()) {
         SweepResults.keep(options.out(), sweep, kept.get()).forEach(console::print);
       }
       if (interruption.requested()) {
-        console.complain("pendant sweep: ended early; --resume goes on");
+        console.complain(text("sweepEndedEarly"));
       }
       if (sweep.plan().search().isPresent()) {
         SweepResults.best(options.out(), sweep.plan(), table).forEach(console::print);

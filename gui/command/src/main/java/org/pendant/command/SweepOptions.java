@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -7,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.Stream;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.sweep.Sweep;
 import org.pendant.sweep.folder.KeptRuns;
 import org.pendant.sweep.table.ResultTable;
@@ -94,18 +97,16 @@ record SweepOptions(
     boolean resume = arguments.has(RESUME);
     boolean force = arguments.has(FORCE);
     if (resume && force) {
-      throw new UsageException("--resume goes on and --force begins anew, give one of them");
+      throw new UsageException(text("resumeOrForce"));
     }
     SparkOptions spark = SparkOptions.of(arguments);
     Optional<String> engine = arguments.word(ENGINE);
     OptionalInt workers = arguments.whole(WORKERS);
     if (workers.isPresent() && engine.equals(Optional.of(SPARK))) {
-      throw new UsageException(
-          "--workers is of --engine local; a cluster runs as many as it has cores, or"
-              + " --spark-conf spark.cores.max=N");
+      throw new UsageException(text("workersOfLocal"));
     }
     if (!engine.equals(Optional.of(SPARK)) && spark.firstGiven().isPresent()) {
-      throw new UsageException(spark.firstGiven().get() + " goes with --engine spark");
+      throw new UsageException(text("goesWithEngineSpark", spark.firstGiven().get()));
     }
     return new SweepOptions(
         out(arguments, plan),
@@ -154,7 +155,7 @@ record SweepOptions(
     try {
       return Path.of(given);
     } catch (InvalidPathException e) {
-      throw new UsageException("--out " + given + ": not a file name, " + e.getReason());
+      throw new UsageException(text("outNotAFileName", given, e.getReason()));
     }
   }
 
@@ -168,7 +169,7 @@ record SweepOptions(
     try {
       return kept.map(each -> KeptRuns.parse(each, table));
     } catch (IllegalArgumentException e) {
-      throw new UsageException("--keep " + e.getMessage());
+      throw new UsageException("--keep " + CommandLanguage.shown(e.getMessage()));
     }
   }
 
@@ -179,7 +180,7 @@ record SweepOptions(
       try {
         conditions.add(RowCondition.parse(each, table.columns()));
       } catch (IllegalArgumentException e) {
-        throw new UsageException("--assert " + e.getMessage());
+        throw new UsageException("--assert " + CommandLanguage.shown(e.getMessage()));
       }
     }
     return conditions;

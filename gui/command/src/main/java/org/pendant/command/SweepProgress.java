@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -31,7 +33,7 @@ final class SweepProgress implements SweepListener {
 
   @Override
   public void begin(long done, long all) {
-    console.complain(all + " runs, " + where);
+    console.complain(text("runsBy", all, where));
     interruption.hold();
     first = done;
     size = all;
@@ -67,7 +69,7 @@ final class SweepProgress implements SweepListener {
     console.complain(
         String.format(
             Locale.ROOT,
-            "%d of %d runs, %d of them now in %s, %.0f a minute",
+            text("runsDone"),
             done,
             size,
             done - first,

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.InvalidPathException;
@@ -11,6 +13,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.SortedSet;
 import java.util.TreeSet;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.controller.disk.AtomicFile;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.sweep.Sweep;
@@ -53,7 +56,7 @@ final class SweepResults {
   ExitCode run(Action action, Arguments arguments, Console console) throws UsageException {
     List<String> operands = arguments.operands();
     if (operands.size() < 2) {
-      throw new UsageException(action.word() + ": the folder of the results is missing");
+      throw new UsageException(text("folderMissing", action.word()));
     }
     try {
       Path folder = Path.of(operands.get(1));
@@ -67,18 +70,19 @@ final class SweepResults {
         case OPEN -> open(folder, rest, console);
       };
     } catch (InvalidPathException e) {
-      throw new UsageException(operands.get(1) + ": not a file name, " + e.getReason());
+      throw new UsageException(text("notAFileName", operands.get(1), e.getReason()));
     } catch (SweepFolderException | PlanException e) {
-      throw new UsageException(e.getMessage());
+      throw UsageException.fromEnglish(e);
     } catch (IOException e) {
-      throw new UsageException(operands.get(1) + ": " + FileTrouble.reason(e));
+      throw new UsageException(
+          operands.get(1) + ": " + CommandLanguage.shown(FileTrouble.reason(e)));
     }
   }
 
   private static ExitCode report(Path folder, List<String> rest, Console console)
       throws UsageException, IOException, SweepFolderException {
     if (!rest.isEmpty()) {
-      throw new UsageException("report: expected one folder, there is " + rest.getFirst() + " too");
+      throw new UsageException(text("oneFolderExpected", rest.getFirst()));
     }
     Path page = folder.resolve(SweepFolder.REPORT);
     AtomicFile.write(page, SweepReport.of(folder).getBytes(StandardCharsets.UTF_8));
@@ -89,7 +93,7 @@ final class SweepResults {
   private ExitCode open(Path folder, List<String> runs, Console console)
       throws UsageException, IOException, SweepFolderException, PlanException {
     if (runs.size() != 1) {
-      throw new UsageException("open: expected the number of one run, there are " + runs.size());
+      throw new UsageException(text("oneRunExpected", runs.size()));
     }
     OpenCommand open = new OpenCommand(services);
     String file = record(folder, runs).getFirst().toString();
@@ -100,12 +104,12 @@ final class SweepResults {
   private static List<Path> record(Path folder, List<String> runs)
       throws UsageException, IOException, SweepFolderException, PlanException {
     if (runs.isEmpty()) {
-      throw new UsageException("the number of a run is missing");
+      throw new UsageException(text("runMissing"));
     }
     SortedSet<Long> numbers = new TreeSet<>();
     for (String each : runs) {
       if (!each.matches("\\d{1,18}")) {
-        throw new UsageException("run is " + each + ", must be the number of a row");
+        throw new UsageException(text("runMustBe", each));
       }
       numbers.add(Long.parseLong(each));
     }
@@ -133,14 +137,12 @@ final class SweepResults {
         values.add(plan.parameters().get(i).name() + " = " + best.get(1 + i));
       }
       return List.of(
-          (search.bestKeepsLimits() ? "best: run " : "no run keeps the limits, the nearest is run ")
-              + search.best()
-              + ", "
-              + column
-              + " "
-              + best.get(rows.column(column).orElseThrow())
-              + ", with "
-              + String.join(", ", values));
+          text(
+              search.bestKeepsLimits() ? "bestRun" : "nearestRun",
+              search.best(),
+              column,
+              best.get(rows.column(column).orElseThrow()),
+              String.join(", ", values)));
     }
   }
 
@@ -157,7 +159,7 @@ final class SweepResults {
         told.add("pendant open " + sweep.record(folder, run));
       } catch (SweepFolderException e) {
         // one that was refused has nothing to look at; the others are kept all the same
-        told.add("not kept: " + e.getMessage());
+        told.add(text("notKept", e.getMessage()));
       }
     }
     return told;

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -76,7 +78,7 @@ final class SweepSummary {
       if (!condition.holds(cell)) {
         broken[i]++;
         if (examples.get(i).size() < MAX_SHOWN) {
-          examples.get(i).add("run " + cells.getFirst() + " (" + cell + ")");
+          examples.get(i).add(text("runOf", cells.getFirst(), cell));
         }
       }
     }
@@ -121,12 +123,11 @@ final class SweepSummary {
     for (int i = 0; i < conditions.size(); i++) {
       if (broken[i] > 0) {
         lines.add(
-            conditions.get(i).text()
-                + " does not hold for "
-                + broken[i]
-                + (broken[i] == 1 ? " run: " : " runs: ")
-                + String.join(", ", examples.get(i))
-                + (broken[i] > MAX_SHOWN ? ", ..." : ""));
+            text(
+                broken[i] == 1 ? "doesNotHoldForRun" : "doesNotHoldForRuns",
+                conditions.get(i).text(),
+                broken[i],
+                String.join(", ", examples.get(i)) + (broken[i] > MAX_SHOWN ? ", ..." : "")));
       }
     }
     return lines;

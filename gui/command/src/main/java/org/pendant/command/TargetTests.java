@@ -1,11 +1,14 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.pendant.command.remote.RobotTarget;
 import org.pendant.command.remote.TargetAddress;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.testing.SuiteResult;
 import org.pendant.testing.remote.TargetTrouble;
 import org.pendant.testing.report.ConsoleReport;
@@ -55,18 +58,13 @@ record TargetTests(TargetAddress address) {
   static TargetTests of(Arguments arguments) throws UsageException {
     for (Option each : OTHERS) {
       if (arguments.has(each)) {
-        throw new UsageException(each.name() + " is not there for tests of a --target");
+        throw new UsageException(text("notForTarget", each.name()));
       }
     }
     String text = arguments.text(TARGET);
     return new TargetTests(
         TargetAddress.parse(text)
-            .orElseThrow(
-                () ->
-                    new UsageException(
-                        "--target is "
-                            + text
-                            + ", must be HOST or HOST:N, where N is added to every port")));
+            .orElseThrow(() -> new UsageException(text("targetMustBe", text))));
   }
 
   ExitCode run(TestOptions options, Arguments arguments, Console console) throws UsageException {
@@ -86,9 +84,9 @@ record TargetTests(TargetAddress address) {
       return TestCommand.list(plan, console);
     }
     if (plan.tests().isEmpty() && plan.broken().isEmpty()) {
-      throw new UsageException("no test has the names and tags that are asked for");
+      throw new UsageException(text("noTestMatches"));
     }
-    try (Interruption interruption = Interruption.listen("the test run", PATIENCE_S)) {
+    try (Interruption interruption = Interruption.listen("theTestRun", PATIENCE_S)) {
       SuiteResult result = run(runner, plan, report, interruption, console);
       if (TestCommand.github(arguments)) {
         GithubAnnotations.lines(result).forEach(console::print);
@@ -99,7 +97,8 @@ record TargetTests(TargetAddress address) {
       return TestCommand.code(result);
     } catch (TargetTrouble e) {
       console.flush();
-      console.complain("pendant test: " + address.host() + ": " + e.getMessage());
+      console.complain(
+          "pendant test: " + address.host() + ": " + CommandLanguage.shown(e.getMessage()));
       return ExitCode.UNAVAILABLE;
     }
   }
@@ -136,11 +135,9 @@ record TargetTests(TargetAddress address) {
 
   private void warn(long count, Console console) {
     console.complain(
-        "pendant test: "
-            + address.host()
-            + " will move: "
-            + (count == 1 ? "1 test runs there" : count + " tests run there, one at a time")
-            + "; Ctrl-C stops it");
+        count == 1
+            ? text("robotMovesForOneTest", address.host())
+            : text("robotMovesForTests", address.host(), count));
     console.flush();
   }
 

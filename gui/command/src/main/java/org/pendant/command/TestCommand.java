@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.IOException;
 import java.util.EnumSet;
 import java.util.List;
@@ -8,6 +10,7 @@ import java.util.Set;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.pendant.command.service.TestFinder;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.testing.SuiteResult;
 import org.pendant.testing.coverage.CoverageCollector;
 import org.pendant.testing.coverage.CoverageReport;
@@ -79,17 +82,17 @@ final class TestCommand implements Subcommand {
   @Override
   public ExitCode run(Arguments arguments, Console console) throws UsageException {
     if (arguments.has(VERBOSE) && arguments.has(QUIET)) {
-      throw new UsageException("--verbose and --quiet ask for opposites");
+      throw new UsageException(text("verboseOrQuiet"));
     }
     if (arguments.has(GoldenRecordings.UPDATE) && TestMutation.wanted(arguments)) {
-      throw new UsageException("--update-golden records programs, and --mutate breaks them");
+      throw new UsageException(text("updateOrMutate"));
     }
     TestOptions options = TestOptions.of(arguments);
     if (arguments.has(TargetTests.TARGET)) {
       return TargetTests.of(arguments).run(options, arguments, console);
     }
     InstallationOption.tell(arguments, console);
-    try (Interruption interruption = Interruption.listen("the test run")) {
+    try (Interruption interruption = Interruption.listen("theTestRun")) {
       TestFilesOnDisk disk = new TestFilesOnDisk(arguments);
       ExitCode code = once(arguments, options, disk, interruption, console);
       while (arguments.has(WATCH) && awaitChange(arguments, disk, interruption, console)) {
@@ -105,7 +108,7 @@ final class TestCommand implements Subcommand {
   /** Waits until a file has changed that the tests have read, or there is another one. */
   private static boolean awaitChange(
       Arguments arguments, TestFilesOnDisk disk, Interruption interruption, Console console) {
-    console.print("waiting for a file to change; Ctrl-C ends");
+    console.print(text("waitingForChange"));
     console.flush();
     FileChanges changes = new FileChanges(disk.names(), arguments.operands());
     while (!interruption.awaitRequest(WATCH_MS)) {
@@ -127,7 +130,7 @@ final class TestCommand implements Subcommand {
     try {
       return once(arguments, options, disk, interruption, console);
     } catch (UsageException e) {
-      console.complain("pendant test: " + e.getMessage());
+      console.complain("pendant test: " + CommandLanguage.shown(e.getMessage()));
       return ExitCode.WRONG_USAGE;
     }
   }
@@ -156,14 +159,14 @@ final class TestCommand implements Subcommand {
       return list(plan, console);
     }
     if (plan.tests().isEmpty() && plan.broken().isEmpty()) {
-      throw new UsageException("no test has the names and tags that are asked for");
+      throw new UsageException(text("noTestMatches"));
     }
     SuiteResult result = run(runner, plan, report, interruption);
     if (github(arguments)) {
       GithubAnnotations.lines(result).forEach(console::print);
     }
     if (!arguments.has(QUIET)) {
-      goldens.written().forEach(each -> console.print("recorded " + each));
+      goldens.written().forEach(each -> console.print(text("recordedFile", each)));
     }
     console.flush();
     // again: by now it is known which programs the tests have read
@@ -193,12 +196,11 @@ final class TestCommand implements Subcommand {
     try {
       List<String> files = TestFinder.find(paths);
       if (files.isEmpty()) {
-        throw new UsageException(
-            "no file *" + TestFinder.ENDING + " in " + String.join(", ", paths));
+        throw new UsageException(text("noFileIn", TestFinder.ENDING, String.join(", ", paths)));
       }
       return files;
     } catch (IOException e) {
-      throw new UsageException(e.getMessage());
+      throw UsageException.fromEnglish(e);
     }
   }
 
@@ -238,8 +240,8 @@ final class TestCommand implements Subcommand {
     for (TestCase each : plan.tests()) {
       console.print(each.id().file() + ":" + each.id().name());
     }
-    plan.broken().forEach(file -> file.problems().forEach(console::complain));
-    plan.warnings().forEach(file -> file.lines().forEach(console::complain));
+    plan.broken().forEach(file -> file.problems().forEach(console::complainFromEnglish));
+    plan.warnings().forEach(file -> file.lines().forEach(console::complainFromEnglish));
     return plan.broken().isEmpty() ? ExitCode.DONE : ExitCode.DOES_NOT_COMPILE;
   }
 

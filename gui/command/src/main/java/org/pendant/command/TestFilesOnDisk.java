@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -49,7 +51,7 @@ final class TestFilesOnDisk implements TestSources {
     Path path;
     synchronized (files) {
       try {
-        path = files.path("a file of the tests", name);
+        path = files.path("aFileOfTheTests", name);
       } catch (UsageException e) {
         throw new IOException(e.getMessage(), e);
       }
@@ -57,7 +59,7 @@ final class TestFilesOnDisk implements TestSources {
     try (InputStream in = Files.newInputStream(path)) {
       byte[] bytes = in.readNBytes(MAX_BYTES + 1);
       if (bytes.length > MAX_BYTES) {
-        throw new IOException("has more than " + MAX_BYTES + " bytes, no program is that large");
+        throw new IOException(text("tooLargeForProgram", MAX_BYTES));
       }
       return bytes;
     } catch (IOException e) {
@@ -75,7 +77,7 @@ final class TestFilesOnDisk implements TestSources {
   Path golden(String name) throws IOException {
     synchronized (files) {
       try {
-        return files.path("a recording of the tests", name);
+        return files.path("aRecordingOfTheTests", name);
       } catch (UsageException e) {
         throw new IOException(e.getMessage(), e);
       }

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -96,7 +98,7 @@ record TestMutation(
       Console console)
       throws UsageException {
     if (result.red() || runner.cancelled()) {
-      console.complain("nothing is mutated: all tests have to run, and be green, before");
+      console.complain(text("nothingMutated"));
       return ExitCode.DONE;
     }
     MutationRun run =
@@ -114,11 +116,7 @@ record TestMutation(
     }
     if (leastPercent.isPresent() && report.score().percent() < leastPercent.getAsDouble()) {
       console.complain(
-          "the mutation score is "
-              + report.score().text()
-              + ", wanted are "
-              + Decimal.text(leastPercent.getAsDouble(), 3)
-              + " %");
+          text("scoreTooLow", report.score().text(), Decimal.text(leastPercent.getAsDouble(), 3)));
       return ExitCode.TESTS_FAILED;
     }
     return ExitCode.DONE;
@@ -127,7 +125,7 @@ record TestMutation(
   /** Where people watch, in one line that is cleared in the end. */
   private static void tellProgress(int tried, int all, Console console) {
     if (TestCommand.isTerminal() && (tried * STEPS / all != (tried - 1) * STEPS / all)) {
-      console.printPiece("\r" + tried + " of " + all + " mutants");
+      console.printPiece("\r" + text("mutantsDone", tried, all));
       console.flush();
     }
   }

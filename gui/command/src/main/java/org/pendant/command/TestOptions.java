@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
@@ -112,7 +114,7 @@ record TestOptions(
     try {
       return Long.parseLong(text.get());
     } catch (NumberFormatException e) {
-      throw new UsageException("--seed is " + text.get() + ", must be a whole number");
+      throw new UsageException(text("seedMustBe", text.get()));
     }
   }
 
@@ -129,8 +131,7 @@ record TestOptions(
         return new int[] {number, count};
       }
     }
-    throw new UsageException(
-        "--shard is " + text.get() + ", must be I/N with I from 1 to N, such as 1/4");
+    throw new UsageException(text("shardMustBe", text.get()));
   }
 
   /** Whether a test is one of those that are asked for. */

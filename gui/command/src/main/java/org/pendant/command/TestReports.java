@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -137,12 +139,11 @@ record TestReports(
     try {
       Path folder = Path.of(name.get());
       if (Files.exists(folder) && !Files.isDirectory(folder)) {
-        throw new UsageException(
-            option.name() + " " + name.get() + " is a file, expected a folder");
+        throw new UsageException(text("fileNotFolder", option.name(), name.get()));
       }
       return Optional.of(folder);
     } catch (InvalidPathException e) {
-      throw new UsageException(name.get() + ": not a file name, " + e.getReason());
+      throw new UsageException(text("notAFileName", name.get(), e.getReason()));
     }
   }
 
@@ -168,7 +169,7 @@ record TestReports(
         Map<TestId, FailurePlot> plots = red.map(RedTests::plots).orElse(Map.of());
         new HtmlReport(result, files::source, attached, plots).write(html.get());
       } catch (IOException e) {
-        throw new UsageException(html.get() + ": cannot be written, " + FileTrouble.reason(e));
+        throw new UsageException(text("cannotBeWritten", html.get(), FileTrouble.reason(e)));
       }
     }
   }
@@ -197,7 +198,7 @@ record TestReports(
         }
       } catch (IOException e) {
         throw new UsageException(
-            coverageHtml.get() + ": cannot be written, " + FileTrouble.reason(e));
+            text("cannotBeWritten", coverageHtml.get(), FileTrouble.reason(e)));
       }
     }
   }

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.Optional;
 import org.pendant.protocols.toolserial.ToolSerialLine;
 
@@ -19,7 +21,7 @@ final class ToolSerialOption {
   static Optional<String> of(Arguments arguments) throws UsageException {
     Optional<String> device = arguments.value(OPTION);
     if (device.isPresent() && device.get().isBlank()) {
-      throw new UsageException(OPTION.name() + " is empty, must be the name of a serial device");
+      throw new UsageException(text("serialNameEmpty", OPTION.name()));
     }
     return device;
   }

@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -38,7 +40,7 @@ record TreeOfFile(TreeFile file, Optional<Installation> own, List<String> notes)
     List<String> notes = new ArrayList<>(tree.remarks());
     notes.addAll(ofInstallation);
     if (!wanted.isEmpty() && found.isEmpty()) {
-      notes.add(name + ": note: its installation " + wanted + " is not there, none is used");
+      notes.add(text("installationMissing", name, wanted));
     }
     return new TreeOfFile(
         tree, given.isPresent() ? Optional.empty() : found.map(_ -> tree.installation()), notes);

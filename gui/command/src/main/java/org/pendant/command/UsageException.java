@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import org.pendant.command.text.CommandLanguage;
+
 /**
  * Usage error: the command line asks for something that cannot be; carries no stack trace, it is no
  * fault.
@@ -12,5 +14,10 @@ final class UsageException extends Exception {
    */
   UsageException(String message) {
     super(message, null, false, false);
+  }
+
+  /** What others have refused, in the language of the command line. */
+  static UsageException fromEnglish(Exception refused) {
+    return new UsageException(CommandLanguage.shown(refused.getMessage()));
   }
 }

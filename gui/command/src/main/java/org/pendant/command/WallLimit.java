@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import static org.pendant.command.CommandTexts.text;
+
 import java.util.OptionalDouble;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -51,8 +53,7 @@ final class WallLimit implements AutoCloseable {
       }
       over = true;
       if (!ended.await(PATIENCE_S, TimeUnit.SECONDS)) {
-        System.err.println(
-            name + ": error: cut off, as it did not end within " + PATIENCE_S + " s of its limit");
+        System.err.println(text("cutOff", name, PATIENCE_S));
         Runtime.getRuntime().halt(ExitCode.TIMED_OUT.number());
       }
     } catch (InterruptedException e) {

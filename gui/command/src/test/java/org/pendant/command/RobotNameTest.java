@@ -13,14 +13,15 @@ import org.pendant.models.arm.ArmLibrary;
 final class RobotNameTest {
 
   private static String refusal(String word) {
-    return assertThrows(UsageException.class, () -> RobotName.idOf("--robot", word)).getMessage();
+    return assertThrows(UsageException.class, () -> RobotName.idOf(() -> "--robot", word))
+        .getMessage();
   }
 
   @Test
   void idsAndDisplayNamesAreUnderstood() throws UsageException {
-    assertEquals("ur10e", RobotName.idOf("--robot", "ur10e"));
-    assertEquals("ur10e", RobotName.idOf("--robot", "UR10e"));
-    assertEquals("ur8long", RobotName.idOf("--robot", "UR8 Long"));
+    assertEquals("ur10e", RobotName.idOf(() -> "--robot", "ur10e"));
+    assertEquals("ur10e", RobotName.idOf(() -> "--robot", "UR10e"));
+    assertEquals("ur8long", RobotName.idOf(() -> "--robot", "UR8 Long"));
   }
 
   @ParameterizedTest

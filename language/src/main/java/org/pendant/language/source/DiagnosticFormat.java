@@ -20,6 +20,20 @@ public final class DiagnosticFormat {
    * UTF-8; the column counts bytes from 1, as the controller's own messages do.
    */
   public static String format(Source source, Diagnostic diagnostic) {
+    return format(
+        source,
+        diagnostic,
+        diagnostic.isError() ? "error" : "warning",
+        ByteText.decoded(diagnostic.message()));
+  }
+
+  /**
+   * The same in another language.
+   *
+   * @param kind what stands for {@code error} or {@code warning}
+   * @param message what stands for that of the diagnostic, decoded
+   */
+  public static String format(Source source, Diagnostic diagnostic, String kind, String message) {
     int start = Math.min(diagnostic.range().start(), source.text().length());
     int line = source.line(start);
     int column = source.column(start);
@@ -29,8 +43,8 @@ public final class DiagnosticFormat {
         printable(source.name()),
         line,
         column,
-        diagnostic.isError() ? "error" : "warning",
-        decoded(diagnostic.message()),
+        kind,
+        printable(message),
         excerpt.getFirst(),
         excerpt.getLast());
   }
