@@ -71,6 +71,16 @@ final class UsageTest {
   }
 
   @Test
+  void commandsSpeakEnglishOnAComputerThatSpeaksGerman() {
+    Result result =
+        Launcher.shell(
+            folder,
+            "env -u DISPLAY PENDANT_JAVA_OPTIONS=\"$PENDANT_JAVA_OPTIONS -Duser.language=de\""
+                + " \"$PENDANT\" doctor");
+    assertTrue(result.output().contains("note    Display       there is none"), result.output());
+  }
+
+  @Test
   void aLanguageThatIsNotSpokenIsRefusedBeforeAnythingElse() {
     Result result = Launcher.shell(folder, "PENDANT_LANGUAGE=fr \"$PENDANT\" --version");
 

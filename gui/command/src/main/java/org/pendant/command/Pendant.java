@@ -165,6 +165,9 @@ public final class Pendant {
       usage(subcommand).forEach(console::print);
       return ExitCode.DONE;
     }
+    if (!(subcommand instanceof OpenCommand)) {
+      CommandLanguage.speak();
+    }
     try {
       ExitCode code = subcommand.run(Arguments.parse(subcommand.options(), words), console);
       mayEndAtOnce = subcommand.mayEndAtOnce();

@@ -1,6 +1,7 @@
 package org.pendant.command.text;
 
 import java.util.Arrays;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -36,6 +37,14 @@ public final class CommandLanguage {
    */
   public static String shown(String message) {
     return TRANSLATOR.shown(message);
+  }
+
+  /**
+   * Has the process speak it, so that what the window's code says to a command is in it, too. The
+   * window itself speaks the system's language where none is asked for.
+   */
+  public static void speak() {
+    Locale.setDefault(Locale.Category.DISPLAY, Locale.of(LANGUAGE.code()));
   }
 
   /** Why an environment asks for a language in vain; empty if it does not. */
