@@ -18,7 +18,7 @@ import org.pendant.window.TextTour.Part;
 
 /**
  * That every text of a small window has the room it needs, in every language. A build looks at the
- * screens in the language with the longest words, {@code -Dpendant.texts=all} at everything.
+ * screens in the language with the longest words, {@code -Dpendant.texts=all} at all parts in all.
  */
 @Tag("slow")
 final class TextRoomWindowTest {

@@ -11,8 +11,8 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.pendant.text.Language;
 
 /**
- * Text tour: goes through everything that a small window shows, in one language, and gathers the
- * texts that have too little room. What it uses it names by what is the same in every language.
+ * Text tour: goes through what a small window shows, in one language, and gathers the texts that
+ * have too little room. What it uses it names by what is the same in every language.
  */
 final class TextTour {
   /** Looks that find something before it counts: rows that wrap ask for their height later. */
