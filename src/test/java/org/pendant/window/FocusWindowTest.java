@@ -71,6 +71,14 @@ final class FocusWindowTest {
   }
 
   @Test
+  void theScriptOfATreeTakesTheKeysThoughItCannotBeEdited() {
+    window.perform("Example: stack boxes");
+    window.awaitWords("program-name", "stack_boxes");
+    window.press("alt 3");
+    window.awaitFocus("script-text");
+  }
+
+  @Test
   void whatIsTypedAfterGoToLineComesToTheScript() {
     sharedWindow.program("one = 1", "two = 2");
     window.click("rail-script");

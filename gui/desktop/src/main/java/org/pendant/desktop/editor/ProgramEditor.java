@@ -29,6 +29,7 @@ import org.pendant.desktop.editor.text.RichText;
 import org.pendant.desktop.editor.text.TextSpan;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.kit.background.WorkQueue;
+import org.pendant.kit.dock.Dockable;
 import org.pendant.kit.theme.LookFollower;
 import org.pendant.language.service.Hover;
 import org.pendant.language.signature.Catalogue;
@@ -83,6 +84,8 @@ final class ProgramEditor extends JPanel implements LookFollower {
             this::show,
             System::nanoTime);
     area = new ScriptArea(colours, schedule::current, takenKeys);
+    // also the script of a tree, which cannot be edited
+    area.putClientProperty(Dockable.TAKES_KEYS, true);
     scroll = new RTextScrollPane(area, true);
     scroll.setFoldIndicatorEnabled(true);
     scroll.setBorder(BorderFactory.createEmptyBorder());
