@@ -252,7 +252,7 @@ final class RecordingFileTest {
     assertRefused(Arrays.copyOf(bytes(states(1, 3)), 15), "ends in its header");
     byte[] newer = bytes(states(1, 3));
     newer[8] = 9;
-    assertRefused(newer, "is of version 9, must be 5");
+    assertRefused(newer, "is of version 9, must be " + FileFormat.VERSION);
   }
 
   @Test
