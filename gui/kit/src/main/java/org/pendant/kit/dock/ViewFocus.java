@@ -42,15 +42,19 @@ final class ViewFocus {
     Component there = last.get(view);
     boolean given =
         there != null
-            && canTakeKeys(there)
             && SwingUtilities.isDescendingFrom(there, whole)
-            && there.requestFocusInWindow();
+            && (hasKeys(there) || (canTakeKeys(there) && there.requestFocusInWindow()));
     if (!given) {
       first(whole, ViewFocus::takesKeys)
           .or(() -> first(whole, ViewFocus::isContent))
           .orElse(whole)
           .requestFocusInWindow();
     }
+  }
+
+  /** Whether it has them now, as the button that steps has while a step disables it. */
+  private static boolean hasKeys(Component component) {
+    return component.isShowing() && component.isFocusOwner();
   }
 
   /** A button may have been disabled since it had the keys. */
