@@ -2,10 +2,12 @@ package org.pendant.window;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.EnumSet;
+import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -41,6 +43,9 @@ final class TextRoomWindowTest {
       TextTour.Report report = TextTour.of(language, display, folder, parts);
       assertEquals("", String.join("\n", report.cut()), report.lookedAt());
       assertNotEquals("0 components, 0 texts", report.lookedAt());
+      assertTrue(
+          report.items().containsAll(List.of("menu-edit-cut", "menu-edit-copy", "menu-edit-paste")),
+          "actions have the same names in every language");
     }
   }
 }

@@ -27,8 +27,12 @@ final class TextTour {
     this.window = window;
   }
 
-  /** What there is to know after a tour. */
-  record Report(List<String> cut, String lookedAt) {}
+  /**
+   * What there is to know after a tour.
+   *
+   * @param items names of what the menus have
+   */
+  record Report(List<String> cut, String lookedAt, List<String> items) {}
 
   /** What is gone through. */
   enum Part {
@@ -69,7 +73,7 @@ final class TextTour {
       }
       List<String> lines = new ArrayList<>(window.largeMenus());
       lines.addAll(tour.cut.values());
-      return new Report(lines, window.lookedAtTexts());
+      return new Report(lines, window.lookedAtTexts(), window.items());
     }
   }
 

@@ -1,7 +1,6 @@
 package org.pendant.desktop.shell;
 
 import java.awt.Component;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
@@ -31,22 +30,32 @@ final class ClipboardActions {
   static void addTo(ActionTable actions, Supplier<Component> focus) {
     ClipboardActions all = new ClipboardActions(actions, focus);
     all.add(
+        "cut",
         ShellTexts.text("cut"),
         "control X",
         each -> writable(each) && hasSelection(each),
         JTextComponent::cut);
     all.add(
-        ShellTexts.text("copy"), "control C", ClipboardActions::hasSelection, JTextComponent::copy);
+        "copy",
+        ShellTexts.text("copy"),
+        "control C",
+        ClipboardActions::hasSelection,
+        JTextComponent::copy);
     all.add(
-        ShellTexts.text("paste"), "control V", ClipboardActions::writable, JTextComponent::paste);
+        "paste",
+        ShellTexts.text("paste"),
+        "control V",
+        ClipboardActions::writable,
+        JTextComponent::paste);
   }
 
+  /** Adds one by its name, which the tree's own has too. */
   private void add(
+      String name,
       String title,
       String keys,
       Predicate<JTextComponent> possible,
       Consumer<JTextComponent> inText) {
-    String name = title.toLowerCase(Locale.ROOT);
     actions.add(
         new Action(
             "edit." + name,
