@@ -146,7 +146,7 @@ final class ResultsPanel extends JPanel {
     JLabel label = new JLabel(title);
     label.setLabelFor(choice);
     TitledCard.named(choice, "sweep-" + name, tip);
-    choice.setPrototypeDisplayValue("torque_share");
+    choice.setPrototypeDisplayValue("tool_speed_share");
     choice.addActionListener(
         event -> {
           if (!filling) {
