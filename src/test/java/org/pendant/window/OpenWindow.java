@@ -403,7 +403,12 @@ final class OpenWindow implements AutoCloseable {
   /** Waits until a component can be used. */
   void awaitEnabled(String name) {
     awaitShown(name);
-    await(name + " is enabled", () -> Boolean.parseBoolean(ask("enabled", name)));
+    await(name + " is enabled", () -> enabled(name));
+  }
+
+  /** Whether a visible component can be used. */
+  boolean enabled(String name) {
+    return Boolean.parseBoolean(ask("enabled", name));
   }
 
   /** Waits until keys go to a component or to something in it. */

@@ -376,6 +376,7 @@ final class TextRoom {
 
   private static void layOut(Component component) {
     if (component instanceof Container container) {
+      container.invalidate(); // or it stays laid out for the cell before
       container.doLayout();
       for (Component each : container.getComponents()) {
         layOut(each);

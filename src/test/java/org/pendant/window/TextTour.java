@@ -3,7 +3,6 @@ package org.pendant.window;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -19,12 +18,14 @@ final class TextTour {
   private static final int SURE = 10;
 
   private final OpenWindow window;
+  private final Path folder;
 
   /** What is cut, with the place where it was met first, by what does not change with numbers. */
   private final Map<String, String> cut = new LinkedHashMap<>();
 
-  private TextTour(OpenWindow window) {
+  private TextTour(OpenWindow window, Path folder) {
     this.window = window;
+    this.folder = folder;
   }
 
   /**
@@ -43,7 +44,21 @@ final class TextTour {
     /** Forms of all kinds of devices, objects, and the wires. */
     CELL(TextTour::cell),
     /** Windows and panels that ask for something or help. */
-    DIALOGS(TextTour::dialogs);
+    DIALOGS(TextTour::dialogs),
+    /** What the editor asks and tells. */
+    EDITOR(tour -> tour.work().editor()),
+    /** Programs that are paused, ask and stop. */
+    RUNS(tour -> tour.work().runs()),
+    /** Sweeps of parameters, planned and run. */
+    SWEEPS(tour -> tour.work().sweeps()),
+    /** Tests that pass and fail. */
+    TESTS(tour -> tour.work().tests()),
+    /** Clients that are connected. */
+    CLIENTS(tour -> tour.work().clients()),
+    /** Values that cannot be. */
+    WRONG_VALUES(tour -> tour.work().wrongValues()),
+    /** Questions before something is lost. */
+    QUESTIONS(tour -> tour.work().questions());
 
     private final Steps steps;
 
@@ -53,7 +68,7 @@ final class TextTour {
   }
 
   private interface Steps {
-    void of(TextTour tour);
+    void of(TextTour tour) throws IOException;
   }
 
   /**
@@ -61,20 +76,23 @@ final class TextTour {
    *
    * @param folder for its settings
    */
-  static Report of(Language language, VirtualDisplay display, Path folder, Collection<Part> parts)
+  static Report of(Language language, VirtualDisplay display, Path folder, Part part)
       throws IOException {
     FormSheet.prepare(folder);
     try (OpenWindow window =
         OpenWindow.open(display, folder, "-Duser.language=" + language.code())) {
       window.resize("1024x700");
-      TextTour tour = new TextTour(window);
-      for (Part each : parts) {
-        each.steps.of(tour);
-      }
+      // before files with long names are opened, which the menus list
       List<String> lines = new ArrayList<>(window.largeMenus());
+      TextTour tour = new TextTour(window, folder);
+      part.steps.of(tour);
       lines.addAll(tour.cut.values());
       return new Report(lines, window.lookedAtTexts(), window.items());
     }
+  }
+
+  private WorkTour work() {
+    return new WorkTour(this, window, folder);
   }
 
   private void everyScreen() {
@@ -88,13 +106,15 @@ final class TextTour {
     each("program-tabs", "rail-program");
   }
 
-  private void screens() {
+  /** Every screen of the rail. */
+  void screens() {
     for (String each : window.named("rail-")) {
       show(each);
     }
   }
 
-  private void panels() {
+  /** Every panel of the View menu. */
+  void panels() {
     for (String each : window.items()) {
       if (each.startsWith("menu-view-")) {
         show(each);
@@ -143,13 +163,13 @@ final class TextTour {
   }
 
   /** Uses something and looks at what has come of it. */
-  private void show(String name) {
+  void show(String name) {
     window.use(name);
     look(name);
   }
 
   /** Every row, item or tab of something, after a way to it. */
-  private void each(String name, String way) {
+  void each(String name, String way) {
     window.use(way);
     for (int i = 0; i < window.choices(name); i++) {
       window.select(name, i);
@@ -158,7 +178,7 @@ final class TextTour {
   }
 
   /** Looks several times, and takes what every look finds: numbers change all the time. */
-  private void look(String where) {
+  void look(String where) {
     Map<String, String> found = new LinkedHashMap<>(found());
     AtomicInteger looks = new AtomicInteger();
     window.await(
