@@ -42,19 +42,15 @@ final class ViewFocus {
     Component there = last.get(view);
     boolean given =
         there != null
+            && canTakeKeys(there)
             && SwingUtilities.isDescendingFrom(there, whole)
-            && (hasKeys(there) || (canTakeKeys(there) && there.requestFocusInWindow()));
+            && (there.isFocusOwner() || there.requestFocusInWindow());
     if (!given) {
       first(whole, ViewFocus::takesKeys)
           .or(() -> first(whole, ViewFocus::isContent))
           .orElse(whole)
           .requestFocusInWindow();
     }
-  }
-
-  /** Whether it has them now, as the button that steps has while a step disables it. */
-  private static boolean hasKeys(Component component) {
-    return component.isShowing() && component.isFocusOwner();
   }
 
   /** A button may have been disabled since it had the keys. */
