@@ -156,7 +156,7 @@ final class NodeFormsTest {
     show(first(MotionStep.Move.class));
     EventQueue.invokeAndWait(
         () -> {
-          frame.setSize(250, 900);
+          frame.setSize(256, 900);
           frame.validate();
         });
     settle();
