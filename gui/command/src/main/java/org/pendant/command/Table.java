@@ -2,6 +2,7 @@ package org.pendant.command;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.pendant.command.text.TerminalColumns;
 
 /** Table: rows of text under headings, as aligned columns or as Markdown. */
 final class Table {
@@ -31,7 +32,7 @@ final class Table {
     rows.add(List.of(cells));
   }
 
-  /** The headings and rows, each column as wide as its widest cell. */
+  /** The headings and rows, each column as wide on a terminal as its widest cell. */
   List<String> aligned() {
     List<String> lines = new ArrayList<>();
     lines.add(line(columns.stream().map(Column::heading).toList()));
@@ -43,7 +44,7 @@ final class Table {
     StringBuilder line = new StringBuilder();
     for (int i = 0; i < cells.size(); i++) {
       String cell = cells.get(i);
-      String padding = " ".repeat(width(i) - cell.length());
+      String padding = " ".repeat(width(i) - TerminalColumns.of(cell));
       line.append(i == 0 ? "" : "  ")
           .append(columns.get(i).alignedRight() ? padding + cell : cell + padding);
     }
@@ -51,9 +52,9 @@ final class Table {
   }
 
   private int width(int column) {
-    int width = columns.get(column).heading().length();
+    int width = TerminalColumns.of(columns.get(column).heading());
     for (List<String> row : rows) {
-      width = Math.max(width, row.get(column).length());
+      width = Math.max(width, TerminalColumns.of(row.get(column)));
     }
     return width;
   }

@@ -26,6 +26,14 @@ final class TableTest {
   }
 
   @Test
+  void columnsStandBelowEachOtherOnATerminalWhereChineseCharactersAreTwoColumnsWide() {
+    Table table = new Table().left("结果").right("次数");
+    table.row("ok", "12");
+    table.row("失败", "3");
+    assertEquals(List.of("结果  次数", "ok      12", "失败     3"), table.aligned());
+  }
+
+  @Test
   void markdownTellsTheAlignmentToo() {
     assertEquals(
         List.of(
