@@ -156,6 +156,7 @@ final class ProgramWindowTest {
     window.awaitHidden("whatif-refusal");
     window.click("whatif-run");
     window.awaitWords("whatif-table", "20 % | as it was | as it ran | Finished");
+    window.awaitFocus("whatif-table");
     window.perform("What if: clear the results");
     window.await("no results", () -> !window.words("whatif-table").contains("Finished"));
   }

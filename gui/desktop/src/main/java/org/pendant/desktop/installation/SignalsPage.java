@@ -12,7 +12,6 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
-import javax.swing.JTable;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
@@ -23,6 +22,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.form.Remark;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
+import org.pendant.kit.table.EditableTable;
 import org.pendant.kit.table.TableLook;
 import org.pendant.kit.theme.Palette;
 
@@ -113,7 +113,7 @@ final class SignalsPage implements Page {
 
   /** A table whose rows offer what their signals can do. */
   @SuppressWarnings("serial") // never written to a stream
-  private static final class SignalsTable extends JTable {
+  private static final class SignalsTable extends EditableTable {
     private final transient SignalTable signals;
 
     SignalsTable(SignalTable signals) {

@@ -18,13 +18,14 @@ import javax.swing.SwingConstants;
 import javax.swing.SwingUtilities;
 import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.text.JTextComponent;
+import org.pendant.kit.table.EditableTable;
 
 /**
  * Device signal table: {@link DeviceSignals} on the screen. Space or a click on it changes a level;
  * a number is typed over.
  */
 @SuppressWarnings("serial") // never written to a stream
-final class DeviceSignalTable extends JTable {
+final class DeviceSignalTable extends EditableTable {
   private static final int MAX_ROWS = 8;
   private static final int VALUE_DIGITS = 12;
 

@@ -15,6 +15,7 @@ import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import org.pendant.kit.layout.Typed;
+import org.pendant.kit.table.EditableTable;
 import org.pendant.kit.table.TableLook;
 import org.pendant.kit.text.Messages;
 
@@ -23,7 +24,7 @@ import org.pendant.kit.text.Messages;
  * number is typed over, or edited with F2 or a double click, as names are.
  */
 @SuppressWarnings("serial") // never written to a stream
-final class MemoryTable extends JTable {
+final class MemoryTable extends EditableTable {
   private static final int NUMBER_DIGITS = 6;
   private static final int VALUE_DIGITS = 12;
 

@@ -24,6 +24,7 @@ import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.TableColumn;
 import org.pendant.desktop.sweep.DraftParameter.Part;
+import org.pendant.kit.table.EditableTable;
 import org.pendant.kit.table.MiddleElision;
 import org.pendant.kit.table.TableLook;
 import org.pendant.kit.theme.Palette;
@@ -32,7 +33,7 @@ import org.pendant.sweep.plan.TargetText;
 
 /** Parameter table: all that a sweep could vary, a row each, edited in place. */
 @SuppressWarnings("serial") // never written to a stream
-final class ParameterTable extends JTable {
+final class ParameterTable extends EditableTable {
   private static final int CHOSEN = 0;
   private static final int WHAT = 1;
   private static final int NOW = 2;

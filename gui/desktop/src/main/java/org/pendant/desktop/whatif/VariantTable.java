@@ -24,12 +24,13 @@ import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.TableCellEditor;
 import javax.swing.table.TableCellRenderer;
 import org.pendant.desktop.debug.CheckedField;
+import org.pendant.kit.table.EditableTable;
 import org.pendant.kit.table.TableLook;
 import org.pendant.kit.theme.Palette;
 
 /** Variant table: the variants in rows, edited in place. */
 @SuppressWarnings("serial") // never written to a stream
-final class VariantTable extends JTable {
+final class VariantTable extends EditableTable {
   /** Names and results may be cut down to so much; unscaled. */
   private static final int MIN_NAME = 90;
 
@@ -112,9 +113,15 @@ final class VariantTable extends JTable {
     revalidate();
   }
 
-  /** Columns that people have made wider or narrower stay so. */
+  /**
+   * Columns that people have made wider or narrower stay so, and all do while somebody types: Swing
+   * would give up what is typed.
+   */
   @Override
   public void doLayout() {
+    if (isEditing()) {
+      return;
+    }
     if (getTableHeader().getResizingColumn() != null) {
       byHand = true;
     }
@@ -127,6 +134,12 @@ final class VariantTable extends JTable {
       getColumnModel().getColumn(i).setPreferredWidth(fitting[i]);
       getColumnModel().getColumn(i).setWidth(fitting[i]);
     }
+  }
+
+  @Override
+  public void removeEditor() {
+    super.removeEditor();
+    fitColumns();
   }
 
   private void fitColumns() {

@@ -347,14 +347,24 @@ public final class WhatIfView implements View {
     collect();
   }
 
+  /** Keys of a button that is disabled go to the table, not to the button beside it. */
+  private void enable(JButton button, boolean enabled) {
+    boolean keysLeave = !enabled && button.isFocusOwner();
+    button.setEnabled(enabled);
+    if (keysLeave) {
+      table.requestFocusInWindow();
+    }
+  }
+
   private void refresh() {
     String why = whyNot();
-    run.setEnabled(why.isEmpty());
+    enable(run, why.isEmpty());
     run.setToolTipText(why.isEmpty() ? text("runsEachVariantBesideTheRobot") : why);
-    cancel.setEnabled(presenter.running());
-    add.setEnabled(presenter.canAdd());
-    remove.setEnabled(presenter.canRemove() && table.getSelectedRow() >= 0);
-    clear.setEnabled(
+    enable(cancel, presenter.running());
+    enable(add, presenter.canAdd());
+    enable(remove, presenter.canRemove() && table.getSelectedRow() >= 0);
+    enable(
+        clear,
         !presenter.running()
             && presenter.results().stream().anyMatch(each -> each.finished().isPresent()));
     ways.setSelected(on(WAYS));
