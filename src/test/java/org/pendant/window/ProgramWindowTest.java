@@ -70,7 +70,7 @@ final class ProgramWindowTest {
             """);
     window.open(file);
     window.press("F5");
-    window.awaitWords("run-state", "finished");
+    window.awaitWords("run-state", "greet.pendant, finished");
     window.press("control F11");
     window.awaitShown("past-banner");
     window.awaitWords("run-name", "greet.pendant");

@@ -14,6 +14,7 @@ import org.pendant.kit.form.DocumentName;
 import org.pendant.kit.form.PartsForm;
 import org.pendant.kit.form.Remark;
 import org.pendant.kit.form.RemarkSpace;
+import org.pendant.kit.layout.ButtonKeys;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Palette;
@@ -85,11 +86,7 @@ final class CellBar {
 
   /** Keys of a button that is disabled go to the screen, not to the button beside it. */
   private void enable(JButton button, boolean enabled) {
-    boolean keysLeave = !enabled && button.isFocusOwner();
-    button.setEnabled(enabled);
-    if (keysLeave) {
-      workbench.show(CellView.ID);
-    }
+    ButtonKeys.enable(button, enabled, () -> workbench.show(CellView.ID));
   }
 
   /** Shows whether the draft is around the arm. */

@@ -14,6 +14,7 @@ import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.form.DocumentName;
 import org.pendant.kit.form.PartsForm;
 import org.pendant.kit.form.Remark;
+import org.pendant.kit.layout.ButtonKeys;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Palette;
@@ -23,6 +24,7 @@ import org.pendant.script.vm.ProgramState;
 final class InstallationBar {
   private final ActiveInstallation active;
   private final Editing editing;
+  private final Workbench workbench;
   private final DocumentName name = new DocumentName("installation-name");
   private final JButton save = new JButton(text("save"));
   private final JButton undo = new JButton(text("undo"));
@@ -34,6 +36,7 @@ final class InstallationBar {
       new JPanel(new MigLayout("insets 8 12 4 12, gap 8 4, hidemode 3", "[grow, fill][]"));
 
   InstallationBar(Workbench workbench, ActiveInstallation active, Editing editing) {
+    this.workbench = workbench;
     this.active = active;
     this.editing = editing;
     JPanel row = new JPanel(new WrappingRow(PartsForm.BETWEEN));
@@ -103,11 +106,16 @@ final class InstallationBar {
         .setAccessibleName(
             text(
                 modified ? "installationNotSaved" : "installationNamed", active.document().name()));
-    save.setEnabled(modified || active.document().file().isEmpty());
-    undo.setEnabled(editing.canUndo());
-    redo.setEnabled(editing.canRedo());
+    enable(save, modified || active.document().file().isEmpty());
+    enable(undo, editing.canUndo());
+    enable(redo, editing.canRedo());
     // what was asked is not what would change now
     question.close();
+  }
+
+  /** Keys of a button that is disabled go to the screen, not to the button beside it. */
+  private void enable(JButton button, boolean enabled) {
+    ButtonKeys.enable(button, enabled, () -> workbench.show(InstallationView.ID));
   }
 
   void refresh(ControllerState state) {

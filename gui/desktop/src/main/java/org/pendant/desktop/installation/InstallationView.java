@@ -39,6 +39,8 @@ import org.pendant.models.arm.ArmLibrary;
 
 /** Installation view: pages at the left, the chosen one at the right. */
 public final class InstallationView implements View {
+  static final String ID = "installation";
+
   private static final int GAP = 16;
   private static final int USUAL_CARD = 300;
   private static final int WIDEST_CARD = 640;
@@ -254,7 +256,7 @@ public final class InstallationView implements View {
 
   @Override
   public String id() {
-    return "installation";
+    return ID;
   }
 
   @Override

@@ -31,6 +31,7 @@ import org.pendant.desktop.unit.FormMemory;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
+import org.pendant.kit.layout.ButtonKeys;
 import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.text.Messages;
 import org.pendant.kit.theme.Palette;
@@ -349,11 +350,7 @@ public final class WhatIfView implements View {
 
   /** Keys of a button that is disabled go to the table, not to the button beside it. */
   private void enable(JButton button, boolean enabled) {
-    boolean keysLeave = !enabled && button.isFocusOwner();
-    button.setEnabled(enabled);
-    if (keysLeave) {
-      table.requestFocusInWindow();
-    }
+    ButtonKeys.enable(button, enabled, () -> table.requestFocusInWindow());
   }
 
   private void refresh() {
