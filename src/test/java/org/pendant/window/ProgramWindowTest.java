@@ -71,7 +71,8 @@ final class ProgramWindowTest {
     window.open(file);
     window.press("F5");
     window.awaitWords("run-state", "greet.pendant, finished");
-    window.press("control F11");
+    window.awaitWords("program-state", "stopped");
+    window.perform("Step back");
     window.awaitShown("past-banner");
     window.awaitWords("run-name", "greet.pendant");
     window.awaitWords("run-node", "2  sleep(0.1)");
