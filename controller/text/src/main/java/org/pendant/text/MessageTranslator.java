@@ -43,7 +43,8 @@ public final class MessageTranslator {
 
   /** A message as people read it. */
   public String shown(String message) {
-    if (language == Language.ENGLISH) {
+    // one that is too long to be looked at is too long to be remembered
+    if (language == Language.ENGLISH || message.length() > Translations.MAX_LENGTH) {
       return message;
     }
     String known = remembered.get(message);
