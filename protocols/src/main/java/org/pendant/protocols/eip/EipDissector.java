@@ -32,10 +32,8 @@ final class EipDissector implements Dissector {
     String type = name(frame.command());
     Optional<Integer> service = service(frame);
     boolean asked = direction == Direction.IN;
-    String summary =
-        type
-            + service.map(each -> ", " + serviceName(each)).orElse("")
-            + (frame.status() == 0 ? "" : ", status " + frame.status());
+    String said = service.map(each -> said(type, each)).orElse(type);
+    String summary = frame.status() == 0 ? said : text("withStatus", said, frame.status());
     Reading reading =
         Reading.of(
             type,
@@ -79,9 +77,11 @@ final class EipDissector implements Dissector {
         .map(item -> Byte.toUnsignedInt(item.data().get(at)));
   }
 
-  private static String serviceName(int service) {
+  /** A message with a service of CIP, which has the name that the specification gives it. */
+  private static String said(String type, int service) {
+    int asked = service & ~CipRequest.ANSWER;
     String name =
-        switch (service & ~CipRequest.ANSWER) {
+        switch (asked) {
           case CipRequest.GET_ALL -> "get all attributes";
           case CipRequest.GET_ATTRIBUTE -> "get attribute";
           case CipRequest.SET_ATTRIBUTE -> "set attribute";
@@ -89,8 +89,8 @@ final class EipDissector implements Dissector {
           case CipRequest.UNCONNECTED_SEND -> "unconnected send";
           case CipRequest.FORWARD_OPEN -> "forward open";
           case CipRequest.LARGE_FORWARD_OPEN -> "large forward open";
-          default -> "service " + (service & ~CipRequest.ANSWER);
+          default -> "service " + asked;
         };
-    return (service & CipRequest.ANSWER) == 0 ? name : "answer to " + name;
+    return service == asked ? type + ", " + name : text("answerTo", type, name);
   }
 }

@@ -2,7 +2,6 @@ package org.pendant.protocols.http;
 
 import java.nio.ByteBuffer;
 import java.util.Locale;
-import java.util.Optional;
 import org.pendant.protocols.wire.Direction;
 import org.pendant.protocols.wire.Dissector;
 import org.pendant.protocols.wire.Fields;
@@ -38,10 +37,8 @@ public final class HttpDissector implements Dissector {
     String line = text.lines().findFirst().orElse("");
     boolean asks = direction == Direction.IN;
     boolean changes = asks && !line.startsWith("GET ");
-    return new Reading(
-        asks ? "request" : "answer",
-        line,
-        changes ? Optional.of(line) : Optional.empty(),
-        () -> Fields.of("text", text));
+    Reading reading =
+        Reading.quoting(asks ? "request" : "answer", line, () -> Fields.of("text", text));
+    return changes ? reading.doing(line) : reading;
   }
 }

@@ -35,10 +35,7 @@ public final class ModbusDissector implements Dissector {
     ByteBuffer body = message.position(message.position() + ModbusFrameReader.PREFIX + 1).slice();
     int function = Byte.toUnsignedInt(body.get());
     Reading reading = direction == Direction.IN ? request(function, body) : answer(function, body);
-    return new Reading(
-        reading.type(),
-        reading.summary(),
-        reading.effect(),
+    return reading.withFields(
         () -> {
           Map<String, Object> fields = Fields.of("transaction", transaction, "unit", unit);
           fields.put("function", function);

@@ -21,7 +21,7 @@ final class RobotMessageReading {
     byte type = body.get();
     return switch (type) {
       case RobotMessageCodec.VERSION -> version(body);
-      case RobotMessageCodec.TEXT -> text("text", timeUs, Dissector.text(body));
+      case RobotMessageCodec.TEXT -> quoted("text", timeUs, Dissector.text(body));
       case RobotMessageCodec.SAFETY_MODE -> {
         int mode = body.position(body.position() + 8).get();
         yield Reading.of(
@@ -34,7 +34,7 @@ final class RobotMessageReading {
         int length = Byte.toUnsignedInt(body.position(body.position() + 8).get());
         String title = Dissector.text(body.slice(body.position(), length));
         String text = Dissector.text(body.position(body.position() + length));
-        yield text("key-message", timeUs, title + ": " + text);
+        yield quoted("key-message", timeUs, title + ": " + text);
       }
       case RobotMessageCodec.REQUEST_VALUE -> {
         int number = body.getInt();
@@ -44,7 +44,8 @@ final class RobotMessageReading {
       case RobotMessageCodec.RUNTIME_EXCEPTION -> {
         int line = body.getInt();
         int column = body.getInt();
-        yield text("runtime-exception", timeUs, line + ":" + column + ": " + Dissector.text(body));
+        yield quoted(
+            "runtime-exception", timeUs, line + ":" + column + ": " + Dissector.text(body));
       }
       case RobotMessageCodec.LABELS -> {
         int number = body.getInt();
@@ -64,12 +65,16 @@ final class RobotMessageReading {
     return Reading.of(type, text, () -> Fields.of("time_us", timeUs, "text", text));
   }
 
+  private static Reading quoted(String type, long timeUs, String text) {
+    return Reading.quoting(type, text, () -> Fields.of("time_us", timeUs, "text", text));
+  }
+
   private static Reading version(ByteBuffer body) {
     int length = Byte.toUnsignedInt(body.get());
     String name = Dissector.text(body.slice(body.position(), length));
     body.position(body.position() + length);
     String version = body.get() + "." + body.get() + "." + body.getInt() + "." + body.getInt();
-    return Reading.of(
+    return Reading.quoting(
         "version", name + " " + version, () -> Fields.of("name", name, "version", version));
   }
 
@@ -78,7 +83,7 @@ final class RobotMessageReading {
     int argument = body.getInt();
     int level = body.getInt();
     String text = Dissector.text(body.position(body.position() + 8));
-    return Reading.of(
+    return Reading.quoting(
         "error-code",
         "C" + code + "A" + argument + ": " + text,
         () -> {

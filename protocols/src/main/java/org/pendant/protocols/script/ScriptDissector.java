@@ -63,7 +63,7 @@ public record ScriptDissector(boolean obeyed) implements Dissector {
     String text = Dissector.text(message);
     Reading reading =
         begins(message, message.position(), "def", "sec") ? program(text) : line(text.strip());
-    return obeyed ? reading : Reading.of(reading.type(), reading.summary(), reading.fields());
+    return obeyed ? reading : reading.doingNothing();
   }
 
   private static Reading program(String text) {
@@ -78,10 +78,10 @@ public record ScriptDissector(boolean obeyed) implements Dissector {
 
   private static Reading line(String text) {
     if (text.isEmpty() || text.startsWith("#")) {
-      return Reading.of("comment", text, () -> Fields.of("text", text));
+      return Reading.quoting("comment", text, () -> Fields.of("text", text));
     }
     boolean command = RawCommand.read(text).isPresent();
-    return Reading.of(command ? "command" : "line", text, () -> Fields.of("text", text))
+    return Reading.quoting(command ? "command" : "line", text, () -> Fields.of("text", text))
         .doing(command ? text : text("sendsTheLine", text));
   }
 }

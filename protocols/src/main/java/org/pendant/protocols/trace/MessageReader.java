@@ -36,18 +36,18 @@ final class MessageReader {
     switch (event.kind()) {
       case OPENED -> {
         conversations.put(connection, new Conversation(connection, connection.dissector()));
-        mark(event, "connected");
+        mark(event, "connected", TraceTexts.text("connected"));
       }
       case RECEIVED, SENT -> conversation(connection).take(event);
       case CLOSED -> {
         conversation(connection).end();
         conversations.remove(connection);
-        mark(event, "closed");
+        mark(event, "closed", TraceTexts.text("closed"));
       }
     }
   }
 
-  private void mark(WireEvent event, String type) {
+  private void mark(WireEvent event, String type, String summary) {
     messages.accept(
         new WireMessage(
             ++count,
@@ -55,7 +55,7 @@ final class MessageReader {
             event.connection().outgoing() ? Direction.OUT : Direction.IN,
             event.epochUs(),
             event.robotTimeS(),
-            Reading.of(type, type),
+            Reading.of(type, summary),
             event.bytes()));
   }
 

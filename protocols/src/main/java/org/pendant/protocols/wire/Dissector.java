@@ -51,8 +51,8 @@ public interface Dissector {
     String text = text(message);
     boolean printable = text.chars().allMatch(each -> each >= ' ' || Character.isWhitespace(each));
     return printable
-        ? Reading.of("text", text.strip(), () -> Fields.of("text", text))
-        : Reading.of("bytes", message.remaining() + " bytes");
+        ? Reading.quoting("text", text.strip(), () -> Fields.of("text", text))
+        : Reading.of("bytes", WireTexts.text("bytes", message.remaining()));
   }
 
   /** The text of a message, a character a byte. */

@@ -26,6 +26,7 @@ public record LineDissector(Function<String, Optional<String>> effect) implement
     String line = Dissector.text(message).stripTrailing();
     String type = direction == Direction.IN ? "line" : "answer";
     Optional<String> does = direction == Direction.IN ? effect.apply(line) : Optional.empty();
-    return new Reading(type, line, does, () -> Fields.of("text", line));
+    Reading reading = Reading.quoting(type, line, () -> Fields.of("text", line));
+    return does.map(reading::doing).orElse(reading);
   }
 }

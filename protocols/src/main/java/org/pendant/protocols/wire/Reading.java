@@ -12,6 +12,7 @@ import java.util.function.Supplier;
  *
  * @param type one word or a few with dashes, such as {@code setup-outputs}
  * @param summary one line
+ * @param quoted whether the summary is what a peer has written, and no text about it
  * @param effect what it does to robot, program or registers, as a short text; empty for a message
  *     that asks or tells
  * @param fields its parts by their names: numbers, truth values, texts, and lists of these; made
@@ -20,6 +21,7 @@ import java.util.function.Supplier;
 public record Reading(
     String type,
     String summary,
+    boolean quoted,
     Optional<String> effect,
     Supplier<? extends Map<String, ?>> fields) {
 
@@ -34,7 +36,13 @@ public record Reading(
 
   /** Of a message without an effect. */
   public static Reading of(String type, String summary, Supplier<? extends Map<String, ?>> fields) {
-    return new Reading(type, summary, Optional.empty(), fields);
+    return new Reading(type, summary, false, Optional.empty(), fields);
+  }
+
+  /** Of a message that is a text, as its peer has written it. */
+  public static Reading quoting(
+      String type, String text, Supplier<? extends Map<String, ?>> fields) {
+    return new Reading(type, text, true, Optional.empty(), fields);
   }
 
   /** Of a message that says no more than its type and summary. */
@@ -44,7 +52,17 @@ public record Reading(
 
   /** The same with an effect. */
   public Reading doing(String what) {
-    return new Reading(type, summary, Optional.of(what), fields);
+    return new Reading(type, summary, quoted, Optional.of(what), fields);
+  }
+
+  /** The same without an effect. */
+  public Reading doingNothing() {
+    return new Reading(type, summary, quoted, Optional.empty(), fields);
+  }
+
+  /** The same with other parts. */
+  public Reading withFields(Supplier<? extends Map<String, ?>> parts) {
+    return new Reading(type, summary, quoted, effect, parts);
   }
 
   /** Names with commas between, and how many there are where they are many. */

@@ -162,7 +162,11 @@ final class ClientsPresenter {
                       new ClientMark(
                           each.robotTimeS(),
                           each.number(),
-                          text("clientMark", each.peers().port(), each.peers().client(), effect))));
+                          text(
+                              "clientMark",
+                              each.peers().port(),
+                              each.peers().client(),
+                              MessageWords.shown(each.reading(), effect)))));
     }
     return marks.reversed();
   }

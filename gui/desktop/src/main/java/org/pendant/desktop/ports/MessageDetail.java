@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.pendant.protocols.trace.WireMessage;
+import org.pendant.protocols.wire.Direction;
 
 /** Message detail: all of a message, or what is known of a client, as text. */
 final class MessageDetail {
@@ -24,11 +25,15 @@ final class MessageDetail {
   /** A message with its parts and bytes. */
   static String of(WireMessage message) {
     StringBuilder text = new StringBuilder();
-    text.append(message.reading().summary()).append('\n');
+    text.append(MessageWords.summary(message.reading())).append('\n');
     message
         .reading()
         .effect()
-        .ifPresent(each -> text.append(PortsTexts.text("effectIs", each)).append('\n'));
+        .ifPresent(
+            each ->
+                text.append(
+                        PortsTexts.text("effectIs", MessageWords.shown(message.reading(), each)))
+                    .append('\n'));
     Instant time = Instant.EPOCH.plus(message.epochUs(), ChronoUnit.MICROS);
     text.append(
         String.format(
@@ -36,7 +41,7 @@ final class MessageDetail {
             PortsTexts.text("whenAndWhere"),
             message.peers().port(),
             message.peers().client(),
-            message.direction().word(),
+            PortsTexts.text(message.direction() == Direction.IN ? "comingIn" : "goingOut"),
             message.robotTimeS(),
             TIME.format(time.atZone(ZoneId.systemDefault()))));
     text.append('\n');

@@ -57,7 +57,8 @@ record MessageFilter(
   private boolean hasText(WireMessage message) {
     String wanted = text.strip().toLowerCase(Locale.ROOT);
     return wanted.isEmpty()
-        || message.reading().summary().toLowerCase(Locale.ROOT).contains(wanted)
+        || MessageWords.summary(message.reading()).toLowerCase(Locale.ROOT).contains(wanted)
+        || MessageWords.line(message.reading()).toLowerCase(Locale.ROOT).contains(wanted)
         || message.reading().type().contains(wanted)
         || message.peers().port().toLowerCase(Locale.ROOT).contains(wanted)
         || message.peers().client().contains(wanted);

@@ -41,7 +41,7 @@ final class MessageTable extends RowsModel<WireMessage> {
       case 2 -> shown.peers().client();
       case 3 -> shown.peers().port();
       case 4 -> shown.reading().type();
-      default -> shown.reading().effect().orElse(shown.reading().summary());
+      default -> MessageWords.line(shown.reading());
     };
   }
 }
