@@ -1,11 +1,10 @@
 package org.pendant.desktop.scene.gl;
 
-import org.pendant.kit.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class GraphicsTexts {
-  private static final Texts TEXTS = Texts.of(GraphicsTexts.class, Messages::shown);
+  private static final Texts TEXTS = Texts.english(GraphicsTexts.class);
 
   private GraphicsTexts() {}
 

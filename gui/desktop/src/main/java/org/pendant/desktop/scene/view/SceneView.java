@@ -35,6 +35,7 @@ import org.pendant.desktop.scene.gl.SceneUnavailable;
 import org.pendant.desktop.unit.PoseForm;
 import org.pendant.kit.dock.Dockable;
 import org.pendant.kit.fault.Faults;
+import org.pendant.kit.text.Messages;
 import org.pendant.kit.theme.LookFollower;
 import org.pendant.kit.theme.Palette;
 import org.pendant.models.pose.Pose;
@@ -314,7 +315,7 @@ public final class SceneView extends JPanel implements LookFollower {
       OffscreenScene opened = OffscreenScene.open();
       EventQueue.invokeLater(() -> started(opened, startedFor));
     } catch (SceneUnavailable e) {
-      EventQueue.invokeLater(() -> explain(e.getMessage()));
+      EventQueue.invokeLater(() -> explain(Messages.shown(e.getMessage())));
     } catch (RuntimeException | Error fault) {
       EventQueue.invokeLater(() -> explain(text("anInternalError", fault)));
       Faults.report(fault);
