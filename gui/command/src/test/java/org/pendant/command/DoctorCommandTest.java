@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.command.doctor.Doctor;
 import org.pendant.command.doctor.Finding;
+import org.pendant.command.doctor.PlainFindings;
 
 final class DoctorCommandTest {
   private final ByteArrayOutputStream output = new ByteArrayOutputStream();
@@ -30,21 +31,22 @@ final class DoctorCommandTest {
 
   @Test
   void notesAreNoFailure() throws UsageException {
-    assertEquals(ExitCode.DONE, doctor(Finding.note("Display", "none", "no window")));
+    assertEquals(ExitCode.DONE, doctor(PlainFindings.note("Display", "none", "no window")));
     assertTrue(output.toString(StandardCharsets.UTF_8).contains("no problems, 1 note"));
   }
 
   @Test
   void problemsEndWithWhatIsUnavailable() throws UsageException {
     assertEquals(
-        ExitCode.UNAVAILABLE, doctor(Finding.problem("Logs", "/x is read-only", "change that")));
+        ExitCode.UNAVAILABLE,
+        doctor(PlainFindings.problem("Logs", "/x is read-only", "change that")));
   }
 
   @Test
   void reportIsWritten() throws UsageException {
     Path file = folder.resolve("problem.zip");
 
-    doctor(Finding.ok("Java", "25"), "--report", file.toString());
+    doctor(PlainFindings.ok("Java", "25"), "--report", file.toString());
 
     assertTrue(Files.exists(file));
     assertTrue(errors.toString(StandardCharsets.UTF_8).contains("problem.zip: doctor.txt"));
@@ -53,18 +55,19 @@ final class DoctorCommandTest {
   @Test
   void reportReplacesNothingUnasked() throws UsageException {
     String file = folder.resolve("problem.zip").toString();
-    doctor(Finding.ok("Java", "25"), "--report", file);
+    doctor(PlainFindings.ok("Java", "25"), "--report", file);
 
     UsageException refusal =
         assertThrows(
-            UsageException.class, () -> doctor(Finding.ok("Java", "25"), "--report", file));
+            UsageException.class, () -> doctor(PlainFindings.ok("Java", "25"), "--report", file));
 
     assertTrue(refusal.getMessage().contains("exists already"), refusal.getMessage());
-    assertEquals(ExitCode.DONE, doctor(Finding.ok("Java", "25"), "--report", file, "--force"));
+    assertEquals(
+        ExitCode.DONE, doctor(PlainFindings.ok("Java", "25"), "--report", file, "--force"));
   }
 
   @Test
   void operandsAreRefused() {
-    assertThrows(UsageException.class, () -> doctor(Finding.ok("Java", "25"), "all"));
+    assertThrows(UsageException.class, () -> doctor(PlainFindings.ok("Java", "25"), "all"));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.command.doctor;
 
+import static org.pendant.command.doctor.DoctorTexts.text;
+
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -9,7 +11,7 @@ import org.pendant.controller.disk.FileTrouble;
 
 /** Looks whether a JVM has crashed under Pendant. */
 final class CrashInspection implements Inspection {
-  private static final String SUBJECT = "Crashes";
+  private static final FindingText SUBJECT = text("crashes");
 
   private final List<Path> folders;
 
@@ -26,21 +28,22 @@ final class CrashInspection implements Inspection {
   public List<Finding> findings() {
     try {
       List<Path> logs = CrashLogs.newest(folders);
-      return List.of(logs.isEmpty() ? Finding.ok(SUBJECT, "none") : last(logs.getFirst()));
+      return List.of(
+          logs.isEmpty() ? Finding.ok(SUBJECT, text("noCrashes")) : last(logs.getFirst()));
     } catch (IOException e) {
       return List.of(
-          Finding.note(SUBJECT, FileTrouble.reason(e), "whether there were any cannot be told"));
+          Finding.note(
+              SUBJECT, FindingText.message(FileTrouble.reason(e)), text("crashesCannotBeTold")));
     }
   }
 
   private static Finding last(Path log) throws IOException {
     return Finding.note(
         SUBJECT,
-        "the last on %s: %s"
-            .formatted(
-                Files.getLastModifiedTime(log).toInstant().atOffset(ZoneOffset.UTC).toLocalDate(),
-                log),
-        "report it, Help > Report a problem or --report takes it along; remove the file when that"
-            + " is done");
+        text(
+            "lastCrash",
+            Files.getLastModifiedTime(log).toInstant().atOffset(ZoneOffset.UTC).toLocalDate(),
+            log),
+        text("reportTheCrash"));
   }
 }

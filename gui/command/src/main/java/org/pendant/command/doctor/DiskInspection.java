@@ -1,5 +1,7 @@
 package org.pendant.command.doctor;
 
+import static org.pendant.command.doctor.DoctorTexts.text;
+
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -17,8 +19,8 @@ public final class DiskInspection implements Inspection {
   @Override
   public List<Finding> findings() {
     return List.of(
-        folder("Logs", StateFolder.of(System.getenv())),
-        folder("Temporary", Path.of(System.getProperty("java.io.tmpdir"))));
+        folder(text("logs"), StateFolder.of(System.getenv())),
+        folder(text("temporary"), Path.of(System.getProperty("java.io.tmpdir"))));
   }
 
   /**
@@ -26,7 +28,7 @@ public final class DiskInspection implements Inspection {
    *
    * @param subject what it is for
    */
-  public static Finding folder(String subject, Path folder) {
+  public static Finding folder(FindingText subject, Path folder) {
     Path there = folder.toAbsolutePath();
     while (!Files.exists(there) && there.getParent() != null) {
       there = there.getParent();
@@ -34,18 +36,20 @@ public final class DiskInspection implements Inspection {
     if (!Files.isDirectory(there) || !Files.isWritable(there)) {
       return Finding.problem(
           subject,
-          folder + ": " + there + (Files.isDirectory(there) ? " is read-only" : " is no folder"),
-          "give yourself the right to write there, or move it away");
+          text(Files.isDirectory(there) ? "readOnly" : "noFolder", folder, there),
+          text("getTheRightToWrite"));
     }
     try {
       long free = Files.getFileStore(there).getUsableSpace();
-      String found = "%s, %,d MB free".formatted(folder, free / MB);
+      FindingText found = text("mbFree", folder, "%,d".formatted(free / MB));
       return free < MIN_FREE
-          ? Finding.problem(subject, found, "recordings and logs may not fit: free some of it")
+          ? Finding.problem(subject, found, text("recordingsMayNotFit"))
           : Finding.ok(subject, found);
     } catch (IOException e) {
       return Finding.note(
-          subject, folder + ", " + FileTrouble.reason(e), "how much is free there cannot be told");
+          subject,
+          text("folderAndReason", folder, FindingText.message(FileTrouble.reason(e))),
+          text("freeCannotBeTold"));
     }
   }
 }

@@ -7,7 +7,7 @@ package org.pendant.command.doctor;
  * @param found what is there
  * @param advice what it means for Pendant, and what to do; empty where all is well
  */
-public record Finding(Level level, String subject, String found, String advice) {
+public record Finding(Level level, FindingText subject, FindingText found, FindingText advice) {
 
   /** How bad it is. */
   public enum Level {
@@ -20,17 +20,17 @@ public record Finding(Level level, String subject, String found, String advice) 
   }
 
   /** All is well. */
-  public static Finding ok(String subject, String found) {
-    return new Finding(Level.OK, subject, found, "");
+  public static Finding ok(FindingText subject, FindingText found) {
+    return new Finding(Level.OK, subject, found, FindingText.NONE);
   }
 
   /** Something is missing that not everybody needs. */
-  public static Finding note(String subject, String found, String advice) {
+  public static Finding note(FindingText subject, FindingText found, FindingText advice) {
     return new Finding(Level.NOTE, subject, found, advice);
   }
 
   /** Something does not work until it is mended. */
-  public static Finding problem(String subject, String found, String advice) {
+  public static Finding problem(FindingText subject, FindingText found, FindingText advice) {
     return new Finding(Level.PROBLEM, subject, found, advice);
   }
 }

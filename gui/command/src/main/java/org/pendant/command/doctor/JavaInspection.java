@@ -1,5 +1,7 @@
 package org.pendant.command.doctor;
 
+import static org.pendant.command.doctor.DoctorTexts.text;
+
 import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -18,35 +20,32 @@ final class JavaInspection implements Inspection {
 
   private static Finding system() {
     return Finding.ok(
-        "System",
-        "%s %s, %s"
-            .formatted(
-                System.getProperty("os.name"),
-                System.getProperty("os.version"),
-                System.getProperty("os.arch")));
+        text("system"),
+        FindingText.of(
+            "%s %s, %s"
+                .formatted(
+                    System.getProperty("os.name"),
+                    System.getProperty("os.version"),
+                    System.getProperty("os.arch"))));
   }
 
   private static Finding java() {
     return Finding.ok(
-        "Java",
-        "%s of %s, %s"
-            .formatted(
-                Runtime.version(),
-                System.getProperty("java.vendor"),
-                System.getProperty("java.home")));
+        FindingText.of("Java"),
+        text(
+            "javaOfVendor",
+            Runtime.version(),
+            System.getProperty("java.vendor"),
+            System.getProperty("java.home")));
   }
 
   private static Finding memory() {
-    Runtime runtime = Runtime.getRuntime();
-    String found =
-        "%d processors, %d MB for Pendant"
-            .formatted(runtime.availableProcessors(), runtime.maxMemory() / MIB);
-    return runtime.availableProcessors() > 1
-        ? Finding.ok("Computer", found)
+    int processors = Runtime.getRuntime().availableProcessors();
+    long memoryMib = Runtime.getRuntime().maxMemory() / MIB;
+    return processors > 1
+        ? Finding.ok(text("computer"), text("processors", processors, memoryMib))
         : Finding.note(
-            "Computer",
-            found.replace("processors", "processor"),
-            "robot time may fall behind in the window; runs without one only take longer");
+            text("computer"), text("oneProcessor", memoryMib), text("robotTimeMayFallBehind"));
   }
 
   private static Finding cache() {
@@ -57,11 +56,7 @@ final class JavaInspection implements Inspection {
             .map(each -> Path.of(each.substring(CACHE.length())))
             .findFirst();
     return cache.filter(Files::isReadable).isPresent()
-        ? Finding.ok("Fast start", "from " + cache.get())
-        : Finding.note(
-            "Fast start",
-            "no cache of classes is in use",
-            "every start takes up to a second longer; the pendant command makes the cache where it"
-                + " may write beside itself");
+        ? Finding.ok(text("fastStart"), text("fromCache", cache.get()))
+        : Finding.note(text("fastStart"), text("noCache"), text("startsTakeLonger"));
   }
 }

@@ -16,9 +16,6 @@ import java.util.stream.Stream;
  * /proc}; elsewhere it says with which command people ask.
  */
 final class PortHolder {
-  /** What it is called where this process has the port itself. */
-  static final String SELF = "this Pendant";
-
   private static final String LISTENING = "0A";
   private static final String UNCONNECTED = "07";
 
@@ -36,8 +33,24 @@ final class PortHolder {
     this.processes = processes;
   }
 
-  /** Who it is, such as {@code nc, process 4711}; empty where nobody has it, or it is not told. */
-  Optional<String> of(StandardPort port) {
+  /** Who has a port. */
+  sealed interface Holder {}
+
+  /** This process itself. */
+  record Self() implements Holder {}
+
+  /**
+   * A process that this user may look at.
+   *
+   * @param name of its program; empty where it has just ended
+   */
+  record OtherProcess(String number, String name) implements Holder {}
+
+  /** A process of another user, of which the system tells no more. */
+  record OtherUser() implements Holder {}
+
+  /** Who it is; empty where nobody has it, or it is not told. */
+  Optional<Holder> of(StandardPort port) {
     List<String> sockets = sockets(port);
     if (sockets.isEmpty()) {
       return Optional.empty();
@@ -45,23 +58,21 @@ final class PortHolder {
     try (DirectoryStream<Path> all = Files.newDirectoryStream(processes, "[0-9]*")) {
       for (Path process : all) {
         if (has(process, sockets)) {
-          return Optional.of(words(process));
+          return Optional.of(holder(process));
         }
       }
     } catch (IOException e) {
       return Optional.empty();
     }
-    return Optional.of("a process of another user");
+    return Optional.of(new OtherUser());
   }
 
-  /** What is said where the holder is not known. */
-  String unknown(StandardPort port) {
+  /** The command by which people ask where the holder is not known. */
+  static String command(StandardPort port) {
     String system = System.getProperty("os.name").toLowerCase(Locale.ROOT);
-    String command =
-        system.startsWith("windows")
-            ? "netstat -ano | findstr :" + port.number()
-            : "lsof -nP -i :" + port.number();
-    return "another program (" + command + " tells which)";
+    return system.startsWith("windows")
+        ? "netstat -ano | findstr :" + port.number()
+        : "lsof -nP -i :" + port.number();
   }
 
   /** Names of the sockets at a port, as the files of a process lead to them. */
@@ -112,16 +123,15 @@ final class PortHolder {
     }
   }
 
-  private static String words(Path process) {
+  private static Holder holder(Path process) {
     String number = process.getFileName().toString();
     if (number.equals(String.valueOf(ProcessHandle.current().pid()))) {
-      return SELF;
+      return new Self();
     }
     try {
-      String name = Files.readString(process.resolve("comm")).strip();
-      return name + ", process " + number;
+      return new OtherProcess(number, Files.readString(process.resolve("comm")).strip());
     } catch (IOException e) {
-      return "process " + number;
+      return new OtherProcess(number, "");
     }
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.command.doctor;
 
+import static org.pendant.command.doctor.DoctorTexts.text;
+
 import java.io.IOException;
 import java.net.DatagramSocket;
 import java.net.InetAddress;
@@ -30,12 +32,12 @@ final class PortInspection implements Inspection {
       if (isFree(port)) {
         free.add(port.number());
       } else {
-        findings.add(taken(port));
+        findings.add(taken(port, holders.of(port)));
       }
     }
     if (!free.isEmpty()) {
       String numbers = String.join(" ", free.stream().distinct().map(String::valueOf).toList());
-      findings.addFirst(Finding.ok("Ports", "free: " + numbers));
+      findings.addFirst(Finding.ok(text("ports"), text("freePorts", numbers)));
     }
     return findings;
   }
@@ -58,22 +60,33 @@ final class PortInspection implements Inspection {
     }
   }
 
-  private Finding taken(StandardPort port) {
-    Optional<String> holder = holders.of(port);
-    if (holder.isEmpty() && port.number() < FIRST_FREE_FOR_ALL) {
-      return Finding.note(
-          "Port " + port.number(),
-          port.protocol() + ": the system does not let you open it",
-          "Pendant opens port %d instead; --modbus-port chooses another one"
-              .formatted(port.number() + 1000));
+  /**
+   * What is said of a port that cannot be opened.
+   *
+   * @param holder who has it, if that is told
+   */
+  static Finding taken(StandardPort port, Optional<PortHolder.Holder> holder) {
+    FindingText subject = text("port", port.number());
+    FindingText words = port.words();
+    if (holder.isEmpty()) {
+      return port.number() < FIRST_FREE_FOR_ALL
+          ? Finding.note(
+              subject,
+              text("youMayNotOpenIt", port.protocol()),
+              text("anotherPortIsOpened", port.number() + 1000))
+          : problem(subject, text("takenByAnotherProgram", words, PortHolder.command(port)));
     }
-    if (holder.equals(Optional.of(PortHolder.SELF))) {
-      return Finding.ok("Port " + port.number(), port.words() + ": opened by " + PortHolder.SELF);
-    }
-    return Finding.problem(
-        "Port " + port.number(),
-        "%s: taken by %s".formatted(port.words(), holder.orElse(holders.unknown(port))),
-        "end that program, or let Pendant listen elsewhere: pendant serve --port-offset 100, or"
-            + " --host 127.0.0.2");
+    return switch (holder.get()) {
+      case PortHolder.Self _ -> Finding.ok(subject, text("openedByThisPendant", words));
+      case PortHolder.OtherUser _ -> problem(subject, text("takenByAnotherUser", words));
+      case PortHolder.OtherProcess(String number, String name) when name.isEmpty() ->
+          problem(subject, text("takenByProcess", words, number));
+      case PortHolder.OtherProcess(String number, String name) ->
+          problem(subject, text("takenByProgram", words, name, number));
+    };
+  }
+
+  private static Finding problem(FindingText subject, FindingText found) {
+    return Finding.problem(subject, found, text("endThatProgram"));
   }
 }

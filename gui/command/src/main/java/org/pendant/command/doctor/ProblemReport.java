@@ -43,7 +43,7 @@ public final class ProblemReport {
       List<Finding> findings, Path faults, List<Path> crashes, PrivateNames names)
       throws IOException {
     Map<String, String> texts = new LinkedHashMap<>();
-    texts.put("doctor.txt", String.join("\n", Doctor.lines(findings)) + "\n");
+    texts.put("doctor.txt", String.join("\n", Doctor.englishLines(findings)) + "\n");
     for (Path file : List.of(faults.resolveSibling("older-" + faults.getFileName()), faults)) {
       if (Files.exists(file)) {
         texts.put(file.getFileName().toString(), Files.readString(file));

@@ -1,33 +1,35 @@
 package org.pendant.command.doctor;
 
+import static org.pendant.command.doctor.DoctorTexts.text;
+
 import java.io.IOException;
 import java.util.List;
 import org.pendant.protocols.toolserial.SerialDevices;
 
 /** Looks which serial devices there are for the tool connector, and whether they may be used. */
 final class SerialInspection implements Inspection {
-  private static final String SUBJECT = "Serial";
+  private static final FindingText SUBJECT = text("serial");
 
   @Override
   public List<Finding> findings() {
     try {
       List<SerialDevices.Found> devices = SerialDevices.all();
       return devices.isEmpty()
-          ? List.of(Finding.ok(SUBJECT, "no devices"))
+          ? List.of(Finding.ok(SUBJECT, text("noDevices")))
           : devices.stream().map(SerialInspection::finding).toList();
     } catch (IOException e) {
       return List.of(
-          Finding.note(SUBJECT, e.getMessage(), "--tool-serial does not work; all else does"));
+          Finding.note(
+              SUBJECT, FindingText.message(e.getMessage()), text("toolSerialDoesNotWork")));
     }
   }
 
   private static Finding finding(SerialDevices.Found device) {
-    String found = device.name() + ", " + device.description();
     return device.permitted()
-        ? Finding.ok(SUBJECT, found)
+        ? Finding.ok(SUBJECT, FindingText.of(device.name() + ", " + device.description()))
         : Finding.note(
             SUBJECT,
-            found + ", which you may not open",
-            "sudo usermod -a -G dialout $USER, then log in again");
+            text("youMayNotOpen", device.name(), device.description()),
+            text("joinTheGroupOfDevices"));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.command.doctor;
 
+import static org.pendant.command.doctor.DoctorTexts.text;
+
 import java.util.List;
 
 /**
@@ -8,30 +10,32 @@ import java.util.List;
  * @param protocol as people call it
  * @param udp datagrams rather than connections
  */
-record StandardPort(int number, String protocol, boolean udp) {
+record StandardPort(int number, FindingText protocol, boolean udp) {
+  private static final FindingText ETHERNET_IP = FindingText.of("EtherNet/IP");
+
   static final List<StandardPort> ALL =
       List.of(
-          tcp(502, "Modbus"),
-          new StandardPort(2222, "EtherNet/IP", true),
-          tcp(29_999, "dashboard"),
-          tcp(30_001, "primary"),
-          tcp(30_002, "secondary"),
-          tcp(30_003, "real-time"),
-          tcp(30_004, "RTDE"),
-          tcp(30_011, "primary, for reading"),
-          tcp(30_012, "secondary, for reading"),
-          tcp(30_013, "real-time, for reading"),
-          tcp(30_020, "interpreter mode"),
-          tcp(40_000, "assemblies of EtherNet/IP"),
-          tcp(44_818, "EtherNet/IP"),
-          new StandardPort(44_818, "EtherNet/IP", true));
+          tcp(502, FindingText.of("Modbus")),
+          new StandardPort(2222, ETHERNET_IP, true),
+          tcp(29_999, text("dashboard")),
+          tcp(30_001, text("primary")),
+          tcp(30_002, text("secondary")),
+          tcp(30_003, text("realTime")),
+          tcp(30_004, FindingText.of("RTDE")),
+          tcp(30_011, text("primaryForReading")),
+          tcp(30_012, text("secondaryForReading")),
+          tcp(30_013, text("realTimeForReading")),
+          tcp(30_020, text("interpreterMode")),
+          tcp(40_000, text("assemblies")),
+          tcp(44_818, ETHERNET_IP),
+          new StandardPort(44_818, ETHERNET_IP, true));
 
-  private static StandardPort tcp(int number, String protocol) {
+  private static StandardPort tcp(int number, FindingText protocol) {
     return new StandardPort(number, protocol, false);
   }
 
   /** The port and what speaks there, such as {@code 30004 (RTDE)}. */
-  String words() {
-    return "%d (%s%s)".formatted(number, protocol, udp ? ", UDP" : "");
+  FindingText words() {
+    return text(udp ? "portOfDatagrams" : "portOfConnections", number, protocol);
   }
 }

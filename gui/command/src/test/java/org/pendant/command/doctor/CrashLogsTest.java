@@ -39,7 +39,7 @@ final class CrashLogsTest {
     Path last = log("hs_err_pid5.log", "2026-11-03T10:00:00Z", OURS);
 
     assertEquals(Finding.Level.NOTE, finding(folder).level());
-    assertEquals("the last on 2026-11-03: " + last, finding(folder).found());
+    assertEquals("the last on 2026-11-03: " + last, finding(folder).found().english());
   }
 
   @Test

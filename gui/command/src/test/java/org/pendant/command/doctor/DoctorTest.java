@@ -25,15 +25,28 @@ final class DoctorTest {
             "",
             "1 problem, no notes"),
         linesOf(
-            Finding.ok("Java", "25.0.3"),
-            Finding.problem("Port 30004", "taken by nc, process 4711", "end that program")));
+            PlainFindings.ok("Java", "25.0.3"),
+            PlainFindings.problem("Port 30004", "taken by nc, process 4711", "end that program")));
+  }
+
+  @Test
+  void columnsStandBelowEachOtherWhereChineseCharactersAreTwoColumnsWide() {
+    FindingText port = new FindingText("Port 30004", "\u7aef\u53e3 30004");
+
+    assertEquals(
+        List.of("ok      Java          25", "ok      \u7aef\u53e3 30004    nc"),
+        linesOf(PlainFindings.ok("Java", "25"), Finding.ok(port, FindingText.of("nc")))
+            .subList(0, 2));
   }
 
   @Test
   void problemsAndNotesAreCounted() {
-    Finding note = Finding.note("Display", "there is none", "the window does not open");
+    Finding note = PlainFindings.note("Display", "there is none", "the window does not open");
+
+    Finding problem = PlainFindings.problem("Logs", "/x is read-only", "change that");
 
     assertEquals("no problems, 2 notes", linesOf(note, note).getLast());
-    assertEquals("no problems, no notes", linesOf(Finding.ok("Java", "25")).getLast());
+    assertEquals("2 problems, 1 note", linesOf(problem, note, problem).getLast());
+    assertEquals("no problems, no notes", linesOf(PlainFindings.ok("Java", "25")).getLast());
   }
 }

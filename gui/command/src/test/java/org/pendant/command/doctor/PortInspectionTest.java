@@ -11,13 +11,14 @@ import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 final class PortInspectionTest {
-  private static final StandardPort RTDE = new StandardPort(30_004, "RTDE", false);
+  private static final StandardPort RTDE = new StandardPort(30_004, FindingText.of("RTDE"), false);
 
   @TempDir private Path folder;
 
@@ -33,16 +34,16 @@ final class PortInspectionTest {
 
   @Test
   void freePortsAreOneLine() throws IOException {
-    StandardPort free = new StandardPort(freePort(), "dashboard", false);
+    StandardPort free = port(freePort(), "dashboard");
 
-    assertEquals(List.of(Finding.ok("Ports", "free: " + free.number())), findings(free));
+    assertEquals(List.of(PlainFindings.ok("Ports", "free: " + free.number())), findings(free));
   }
 
   @Test
   @EnabledOnOs(OS.LINUX)
   void portThatThisProcessHasIsNoProblem() throws IOException {
     try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      assertOwn(new StandardPort(socket.getLocalPort(), "RTDE", false));
+      assertOwn(port(socket.getLocalPort(), "RTDE"));
     }
   }
 
@@ -51,13 +52,15 @@ final class PortInspectionTest {
   void portOfDatagramsThatThisProcessHasIsNoProblem() throws IOException {
     InetSocketAddress any = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
     try (DatagramSocket socket = new DatagramSocket(any)) {
-      assertOwn(new StandardPort(socket.getLocalPort(), "EtherNet/IP", true));
+      assertOwn(new StandardPort(socket.getLocalPort(), FindingText.of("EtherNet/IP"), true));
     }
   }
 
   private static void assertOwn(StandardPort port) {
     assertEquals(
-        List.of(Finding.ok("Port " + port.number(), port.words() + ": opened by this Pendant")),
+        List.of(
+            PlainFindings.ok(
+                "Port " + port.number(), port.words().english() + ": opened by this Pendant")),
         findings(port));
   }
 
@@ -69,17 +72,36 @@ final class PortInspectionTest {
     Files.writeString(process.resolve("comm"), "nc\n");
     Files.createSymbolicLink(process.resolve("fd/3"), Path.of("socket:[52011]"));
 
-    assertEquals("nc, process 77", new PortHolder(folder).of(RTDE).get());
+    assertEquals("30004 (RTDE): taken by nc, process 77", saidOf(RTDE));
+  }
+
+  @Test
+  void processThatHasJustEndedIsSaidByItsNumber() throws IOException {
+    listening();
+    Path files = Files.createDirectories(folder.resolve("77/fd"));
+    Files.createSymbolicLink(files.resolve("3"), Path.of("socket:[52011]"));
+
+    assertEquals("30004 (RTDE): taken by process 77", saidOf(RTDE));
   }
 
   @Test
   void holderOfAnotherUserIsSaidToBeOne() throws IOException {
     listening();
     Files.createDirectories(folder.resolve("77"));
-    PortHolder holder = new PortHolder(folder);
 
-    assertEquals("a process of another user", holder.of(RTDE).get());
-    assertTrue(holder.of(new StandardPort(30_003, "real-time", false)).isEmpty());
+    assertEquals("30004 (RTDE): taken by a process of another user", saidOf(RTDE));
+    assertTrue(new PortHolder(folder).of(port(30_003, "real-time")).isEmpty());
+  }
+
+  private static StandardPort port(int number, String protocol) {
+    return new StandardPort(number, FindingText.of(protocol), false);
+  }
+
+  /** What is found at a port that is not free, by the processes in the folder. */
+  private String saidOf(StandardPort port) {
+    Finding finding = PortInspection.taken(port, new PortHolder(folder).of(port));
+    assertEquals(Finding.Level.PROBLEM, finding.level());
+    return finding.found().english();
   }
 
   private void listening() throws IOException {
@@ -94,9 +116,19 @@ final class PortInspectionTest {
 
   @Test
   void whereTheSystemDoesNotTellPeopleAreToldHowToAsk() {
-    PortHolder holder = new PortHolder(folder.resolve("nothing"));
+    String said = saidOf(RTDE);
 
-    assertTrue(holder.of(RTDE).isEmpty());
-    assertTrue(holder.unknown(RTDE).contains(":30004"), holder.unknown(RTDE));
+    assertTrue(said.startsWith("30004 (RTDE): taken by another program ("), said);
+    assertTrue(said.endsWith(":30004 tells which)"), said);
+  }
+
+  @Test
+  void portThatTheSystemKeepsForOthersIsOpenedAtAnotherNumber() {
+    assertEquals(
+        PlainFindings.note(
+            "Port 502",
+            "Modbus: the system does not let you open it",
+            "Pendant opens port 1502 instead; --modbus-port chooses another one"),
+        PortInspection.taken(port(502, "Modbus"), Optional.empty()));
   }
 }

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 final class ProblemReportTest {
   private static final PrivateNames NAMES = new PrivateNames("/home/maria", "maria", "cell-7");
   private static final List<Finding> FINDINGS =
-      List.of(Finding.ok("Settings", "/home/maria/.config/pendant, 1,000 MB free"));
+      List.of(PlainFindings.ok("Settings", "/home/maria/.config/pendant, 1,000 MB free"));
 
   @TempDir private Path folder;
 
@@ -77,6 +77,21 @@ final class ProblemReportTest {
         "~/robots/pick.script of USER at HOST, mariachi, cell-78\n",
         report().texts().get("errors.txt"));
     assertFalse(report().texts().get("doctor.txt").contains("maria"));
+  }
+
+  @Test
+  void itIsInEnglishWhateverLanguageCommandsSpeak() throws IOException {
+    Finding settings =
+        Finding.ok(
+            new FindingText("Settings", "\u8bbe\u7f6e"),
+            new FindingText("90 MB free", "\u53ef\u7528 90 MB"));
+
+    ProblemReport report =
+        ProblemReport.of(List.of(settings), folder.resolve("errors.txt"), List.of(folder), NAMES);
+
+    String text = report.texts().get("doctor.txt");
+    assertTrue(text.contains("\nok      Settings      90 MB free\n"), text);
+    assertTrue(text.endsWith("\nno problems, no notes\n"), text);
   }
 
   @Test

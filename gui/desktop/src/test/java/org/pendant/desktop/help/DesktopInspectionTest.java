@@ -18,10 +18,12 @@ final class DesktopInspectionTest {
 
     assertEquals(
         List.of("Settings", "Display", "Fonts", "OpenGL"),
-        findings.stream().map(Finding::subject).toList());
+        findings.stream().map(each -> each.subject().english()).toList());
     for (Finding each : findings) {
       assertTrue(
-          each.level() == Finding.Level.OK ? each.advice().isEmpty() : !each.advice().isBlank(),
+          each.level() == Finding.Level.OK
+              ? each.advice().english().isEmpty()
+              : !each.advice().english().isBlank(),
           each::toString);
     }
   }
