@@ -171,7 +171,9 @@ final class ProgramActions {
     actions.add(Action.of("file.new", text("newProgram"), "control N", files::create));
     actions.add(
         Action.of("file.new-script", text("newScript"), "control alt N", files::createScript));
-    actions.add(Action.of("file.open", text("openProgram"), "control O", files::open));
+    actions.add(
+        Action.of("file.open", text("openProgram"), "control O", files::open)
+            .foundBy(text("wordsForOpening")));
     actions.add(
         new Action(
             "file.save",

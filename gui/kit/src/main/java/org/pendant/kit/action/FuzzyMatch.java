@@ -7,14 +7,17 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.function.Predicate;
 
 /**
  * Fuzzy match: whether each word of a query is found in a text, as letters in a row or as letters
  * in a row at the begins of several of its words, and how well: begins and rows count more.
  *
+ * @param asTyped whether words of the text begin with what was typed, not only with single letters
+ *     of it
  * @param score higher is better
  */
-public record FuzzyMatch(int score) {
+public record FuzzyMatch(boolean asTyped, int score) {
   private static final int FOUND = 1;
   private static final int IN_A_ROW = 8;
   private static final int WORD_BEGIN = 6;
@@ -26,14 +29,16 @@ public record FuzzyMatch(int score) {
     String wanted = query.strip().toLowerCase(Locale.ROOT);
     String lower = text.toLowerCase(Locale.ROOT);
     int score = lower.contains(wanted) ? WHOLE : 0;
+    boolean asTyped = true;
     for (String word : wanted.split("\\s+", -1)) {
       int best = Math.max(row(word, lower), new Begins(word, lower).best(0, 0));
       if (best == NONE) {
         return Optional.empty();
       }
       score += best;
+      asTyped &= beginsOne(word, lower);
     }
-    return Optional.of(new FuzzyMatch(score - text.length() / 8));
+    return Optional.of(new FuzzyMatch(asTyped, score - text.length() / 8));
   }
 
   /** All letters in a row, anywhere; a single one says too little inside of a word. */
@@ -50,6 +55,15 @@ public record FuzzyMatch(int score) {
   private static int inRow(String text, int at, int length) {
     int begin = at == 0 ? TEXT_BEGIN : beginsWord(text, at) ? WORD_BEGIN : 0;
     return begin + length * FOUND + (length - 1) * IN_A_ROW;
+  }
+
+  /** Whether a word of the text begins with this one. */
+  private static boolean beginsOne(String word, String text) {
+    int at = text.indexOf(word);
+    while (at >= 0 && !beginsWord(text, at)) {
+      at = text.indexOf(word, at + 1);
+    }
+    return at >= 0;
   }
 
   private static boolean beginsWord(String text, int index) {
@@ -106,11 +120,27 @@ public record FuzzyMatch(int score) {
 
   /** Those that match, best first; all in their order for an empty query. */
   public static <T> List<T> filter(String query, List<T> all, Function<T, String> textOf) {
-    record Found<T>(T item, int score) {}
+    return filter(query, all, textOf, item -> true);
+  }
+
+  /**
+   * As {@link #filter(String, List, Function)}, but those that can be {@code used} come before
+   * those that cannot, unless only these have words that begin as typed.
+   */
+  public static <T> List<T> filter(
+      String query, List<T> all, Function<T, String> textOf, Predicate<T> used) {
+    record Found<T>(T item, FuzzyMatch match, boolean usable) {}
+    Comparator<Found<T>> usable = Comparator.comparing(found -> !found.usable());
+    Comparator<Found<T>> best =
+        Comparator.comparing((Found<T> found) -> !found.match().asTyped())
+            .thenComparing(usable)
+            .thenComparing(found -> -found.match().score());
     return all.stream()
         .flatMap(
-            item -> of(query, textOf.apply(item)).map(m -> new Found<>(item, m.score())).stream())
-        .sorted(Comparator.comparingInt((Found<T> found) -> query.isBlank() ? 0 : -found.score()))
+            item ->
+                of(query, textOf.apply(item)).stream()
+                    .map(match -> new Found<>(item, match, used.test(item))))
+        .sorted(query.isBlank() ? usable : best)
         .map(Found::item)
         .toList();
   }

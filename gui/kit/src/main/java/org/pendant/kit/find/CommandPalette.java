@@ -112,11 +112,14 @@ public final class CommandPalette {
   }
 
   private void filter() {
-    List<Action> found = FuzzyMatch.filter(query.getText(), actions.all(), Action::found);
+    List<Action> found =
+        FuzzyMatch.filter(
+            query.getText(),
+            actions.all(),
+            Action::found,
+            action -> action.enabled().getAsBoolean());
     model.clear();
-    // What can be done comes first.
-    model.addAll(found.stream().filter(each -> each.enabled().getAsBoolean()).toList());
-    model.addAll(found.stream().filter(each -> !each.enabled().getAsBoolean()).toList());
+    model.addAll(found);
     nothing.setVisible(found.isEmpty());
     move(0);
   }

@@ -65,4 +65,19 @@ final class FuzzyMatchTest {
   void withoutLettersEverythingIsThereInItsOrder() {
     assertEquals(List.of("b", "a"), filter(" ", "b", "a"));
   }
+
+  @Test
+  void whatCanBeUsedComesFirstAmongThoseThatBeginAsTypedAndAmongTheOthers() {
+    List<String> all = List.of("Undo: rotate pose", "Export as .urp", "Open a .urp", "Unusual rpm");
+    assertEquals(
+        List.of("Open a .urp", "Export as .urp", "Unusual rpm", "Undo: rotate pose"),
+        FuzzyMatch.filter("urp", all, Function.identity(), text -> !text.startsWith("Export")));
+  }
+
+  @Test
+  void withoutLettersWhatCanBeUsedComesFirst() {
+    assertEquals(
+        List.of("b", "a"),
+        FuzzyMatch.filter("", List.of("a", "b"), Function.identity(), "b"::equals));
+  }
 }

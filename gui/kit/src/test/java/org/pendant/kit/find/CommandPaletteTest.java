@@ -68,6 +68,26 @@ final class CommandPaletteTest {
     }
   }
 
+  @Test
+  void anActionThatCannotBeDoneNowComesBeforeOnesThatMerelyBeginWithTheLetters() {
+    assumeFalse(GraphicsEnvironment.isHeadless(), "there is no display");
+    ActionTable actions = new ActionTable(new MemorySettings());
+    actions.add(Action.of("unit.rpy", "Units: roll, pitch, yaw", "", () -> {}));
+    actions.add(
+        new Action("file.export-urp", "Export as .urp", "", () -> false, () -> {}),
+        () -> "the program is a script");
+    JFrame frame = new JFrame("palette");
+    JPanel under = new JPanel();
+    frame.add(under);
+    try {
+      new CommandPalette(actions, under).open();
+      assertEquals(List.of("file.export-urp", "unit.rpy"), found(frame, "urp"));
+      assertEquals(List.of("unit.rpy", "file.export-urp"), found(frame, ""));
+    } finally {
+      frame.dispose();
+    }
+  }
+
   /** Ids of what the palette shows for a query. */
   private static List<String> found(JFrame frame, String typed) {
     parts(frame)
