@@ -41,7 +41,7 @@ final class DebugWindowTest {
     }
     window.press("F9");
     window.press("F5");
-    window.awaitShown("debug-bar");
+    window.awaitShown("debug-bar-step");
     window.perform("Show Call stack");
     window.awaitWords("call-stack", "line 5");
     window.click("debug-bar-step-into");
@@ -74,11 +74,13 @@ final class DebugWindowTest {
   void theButtonThatStepsBackStaysUnderThePointerWhenLookingBackBegins() {
     sharedWindow.program("a = 1", "sleep(0.1)", "a = 2", "halt");
     toScript();
+    String before = window.place("debug-bar");
     window.press("DOWN");
     window.press("F9");
     window.press("F5");
     window.awaitShown("debug-bar-step");
     window.settle();
+    assertEquals(before, window.place("debug-bar"), "the tabs beside it moved at the pause");
     String paused = window.place("debug-bar-step-back");
     window.click("debug-bar-step-back");
     window.awaitShown("past-banner");
@@ -90,6 +92,7 @@ final class DebugWindowTest {
     window.awaitWords("program-state", "stopped");
     window.awaitHidden("debug-bar-step");
     window.settle();
+    assertEquals(before, window.place("debug-bar"), "the tabs beside it moved at the end");
     String ended = window.place("debug-bar-step-back");
     window.click("debug-bar-step-back");
     window.awaitShown("past-banner");

@@ -20,22 +20,19 @@ import org.pendant.script.vm.ProgramState;
 /**
  * Debug bar: how a program that is paused continues, and how people go back and on through what it
  * did. It is there only then, while they look at the past, and as long as keys go to it while the
- * program runs: what is typed must not fall into the text. Where it takes no room from anything it
- * stays when a program has ended, with what leads back. It stands in the head of what shows the
- * program.
+ * program runs: what is typed must not fall into the text. Where it has room of its own it stays
+ * when a program has ended, with what leads back. It stands in the head of what shows the program.
  */
 @SuppressWarnings("serial") // never written to a stream
 public final class DebugBar extends JPanel {
   private static final int SIDE = 16;
+  private static final int MARGIN = 4;
 
   private final transient Workbench workbench;
   private final transient DebugPresenter debug;
   private final transient PastSteps past;
   private final transient List<Tool> tools;
-  private boolean staying;
-
-  /** Whether a program has ended and it stays. */
-  private boolean over;
+  private boolean roomKept;
 
   /** So wide it is at least, px. */
   private int roomPx;
@@ -61,7 +58,9 @@ public final class DebugBar extends JPanel {
    * @param past how people go back and on through the past
    */
   public DebugBar(String name, Workbench workbench, DebugPresenter debug, PastSteps past) {
-    super(new MigLayout("insets 0 4 0 4, gap 0, hidemode 3", "", "[center]"));
+    super(
+        new MigLayout(
+            "insets 0 " + MARGIN + " 0 " + MARGIN + ", gap 0, hidemode 3", "", "[center]"));
     this.workbench = workbench;
     this.debug = debug;
     this.past = past;
@@ -122,25 +121,36 @@ public final class DebugBar extends JPanel {
     return new Tool(button, enabled, when);
   }
 
-  /** Has it stay when a program has ended, for what leads back. */
-  public void stayAfterRuns() {
-    staying = true;
+  /**
+   * Has it be as wide always as it ever becomes, so that nothing beside it moves when buttons come
+   * and go, and have what leads back stay when a program has ended.
+   */
+  public void keepRoom() {
+    roomKept = true;
+    tools.forEach(each -> each.button().setVisible(false));
+    setVisible(true);
   }
 
   /**
-   * While people look back it is as wide as it was when they began to, and after a run as it will
-   * be then: it stands at the end of a row, and its first buttons lead back.
+   * While people look back it is as wide as it was when they began to: it stands at the end of a
+   * row, and its first buttons lead back.
    */
   @Override
   public Dimension getPreferredSize() {
     Dimension size = super.getPreferredSize();
-    int toComePx = over ? widthPx(When.PAST) : 0;
-    return new Dimension(Math.max(size.width + toComePx, roomPx), size.height);
+    return new Dimension(Math.max(size.width, roomKept ? mostPx() : roomPx), size.height);
+  }
+
+  /** With all the buttons that are ever there at one time. */
+  private int mostPx() {
+    int besidesPx = getInsets().left + getInsets().right + 2 * MARGIN;
+    int timelyPx = Math.max(widthPx(When.NOW), widthPx(When.PAST));
+    return besidesPx + widthPx(When.ALWAYS) + timelyPx;
   }
 
   private int widthPx(When when) {
     return tools.stream()
-        .filter(each -> each.when() == when && !each.button().isVisible())
+        .filter(each -> each.when() == when)
         .mapToInt(each -> each.button().getPreferredSize().width)
         .sum();
   }
@@ -163,20 +173,21 @@ public final class DebugBar extends JPanel {
   public void refresh() {
     boolean runs = workbench.session().state().program().state() != ProgramState.STOPPED;
     roomPx = past.back() && isVisible() ? getPreferredSize().width : 0;
-    over = staying && !runs && !wanted() && workbench.session().runTime().known();
+    boolean over = roomKept && !runs && !wanted() && workbench.session().runTime().known();
     boolean wanted = wanted() || over || (runs && tools.stream().anyMatch(Tool::focused));
     When other = past.back() ? When.NOW : When.PAST;
     for (Tool each : tools) {
       // A button that goes or becomes disabled hands its focus on, and keys would write in the
       // text.
       boolean focused = each.focused();
-      boolean there = each.when() != other && !(over && each.when() == When.NOW);
+      boolean there = wanted && each.when() != other && !(over && each.when() == When.NOW);
       each.button().setVisible(there || focused);
       each.button().setEnabled(each.enabled().getAsBoolean() || focused);
     }
     keepFocus(over ? When.NOW : other);
-    if (wanted != isVisible()) {
-      setVisible(wanted);
+    boolean visible = wanted || roomKept;
+    if (visible != isVisible()) {
+      setVisible(visible);
       revalidate();
       // What it stands in gives it room only when it is laid out as well.
       if (getParent() != null && getParent().getParent() != null) {

@@ -127,7 +127,7 @@ final class Views {
     past = new PastViews(workbench, programs, editor, debug.breakpoints()::stopping);
     debug.steps().inThePast(past.steps()::back, past.steps()::stepOn);
     DebugBar scriptBar = new DebugBar("debug-bar", workbench, debug, past.steps());
-    scriptBar.stayAfterRuns();
+    scriptBar.keepRoom();
     editor.addToHead(scriptBar);
     DebugBar treeBar = new DebugBar("debug-bar-tree", workbench, debug, past.steps());
     debugBars = List.of(scriptBar, treeBar);
