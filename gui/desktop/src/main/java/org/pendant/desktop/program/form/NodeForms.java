@@ -84,8 +84,12 @@ public final class NodeForms {
    */
   public void show(Optional<ProgramNode> node) {
     presenter.select(node);
-    // The user may be typing in the form: it changes when that is done.
-    renderLater();
+    if (shownKey.isEmpty()) {
+      render();
+    } else {
+      // The user may be typing in the form: it changes when that is done.
+      renderLater();
+    }
   }
 
   /** Puts the keyboard into the field that a problem of the shown node is about. */

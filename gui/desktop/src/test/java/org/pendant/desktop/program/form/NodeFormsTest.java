@@ -2,6 +2,7 @@ package org.pendant.desktop.program.form;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -124,6 +125,15 @@ final class NodeFormsTest {
             control.dispatchEvent(
                 new KeyEvent(control, KeyEvent.KEY_PRESSED, 0, 0, key, KeyEvent.CHAR_UNDEFINED)));
     settle();
+  }
+
+  @Test
+  void theFirstNodeIsInTheFirstPicture() throws InterruptedException, InvocationTargetException {
+    EventQueue.invokeAndWait(
+        () -> {
+          forms.show(Optional.of(first(MotionStep.Move.class)));
+          assertNotNull(control("form-move-speed", JTextField.class));
+        });
   }
 
   @Test
