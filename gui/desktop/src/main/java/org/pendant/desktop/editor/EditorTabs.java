@@ -95,6 +95,8 @@ final class EditorTabs extends JTabbedPane {
     setSelectedIndex(wanted.indexOf(programs.current()));
     following = false;
     front();
+    // It moved if tabs came before it, and is wider with its icon.
+    showSelected();
   }
 
   private void insert(ProgramDocument program, int index) {
