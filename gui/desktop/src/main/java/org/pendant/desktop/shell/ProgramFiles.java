@@ -6,7 +6,9 @@ import java.awt.Component;
 import java.io.IOException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -41,8 +43,9 @@ final class ProgramFiles {
   private final Consumer<String> warn;
   private final UsedFolder used;
   private final Component parent;
-  private Consumer<ProgramDocument> show = program -> {};
+  private Consumer<ProgramDocument> shower = program -> {};
   private Consumer<Path> chosen = this::open;
+  private final Deque<Path> toRead = new ArrayDeque<>();
   private int untitled = 1;
 
   /**
@@ -75,7 +78,7 @@ final class ProgramFiles {
 
   /** {@code how} shows the program that a user has just made or opened. */
   void showBy(Consumer<ProgramDocument> how) {
-    show = how;
+    shower = how;
   }
 
   /** {@code how} opens a file that people have chosen, which may be no program. */
@@ -85,7 +88,7 @@ final class ProgramFiles {
 
   private void select(ProgramDocument program) {
     programs.select(program);
-    show.accept(program);
+    shower.accept(program);
   }
 
   /** A new program without nodes. */
@@ -123,24 +126,50 @@ final class ProgramFiles {
     return programs.current().file().map(Path::getParent);
   }
 
-  /** Opens a file, or selects it if it is open. */
+  /**
+   * Opens a file, or selects it if it is open; several come in the order in which they are asked
+   * for.
+   */
   void open(Path file) {
+    toRead.add(file);
+    if (toRead.size() == 1) {
+      openNext();
+    }
+  }
+
+  private void openNext() {
+    Path file = toRead.getFirst();
     Optional<ProgramDocument> already = programs.of(file);
     if (already.isPresent()) {
-      select(already.get());
-      return;
+      opened(() -> select(already.get()));
+    } else if (ForeignProgram.is(file)) {
+      Background.run(
+          () -> ForeignProgram.read(file),
+          read -> opened(() -> show(read)),
+          failed -> opened(() -> notOpened(failed)));
+    } else {
+      Background.run(
+          () -> SavedProgram.read(file),
+          read -> opened(() -> show(read)),
+          failed ->
+              opened(
+                  () -> {
+                    notOpened(failed);
+                    forget(file);
+                  }));
     }
-    if (ForeignProgram.is(file)) {
-      Background.run(() -> ForeignProgram.read(file), this::opened, this::notOpened);
-      return;
+  }
+
+  /** Goes on with the next file whatever comes of showing this one. */
+  private void opened(Runnable shown) {
+    toRead.removeFirst();
+    try {
+      shown.run();
+    } finally {
+      if (!toRead.isEmpty()) {
+        openNext();
+      }
     }
-    Background.run(
-        () -> SavedProgram.read(file),
-        this::opened,
-        failed -> {
-          notOpened(failed);
-          forget(file);
-        });
   }
 
   private void notOpened(IOException failed) {
@@ -148,7 +177,7 @@ final class ProgramFiles {
   }
 
   /** The file itself stays as it is: what was read from it is a new program. */
-  private void opened(ForeignProgram read) {
+  private void show(ForeignProgram read) {
     ProgramDocument before = programs.current();
     ProgramDocument fresh =
         ProgramDocument.untitled(read.name() + ProgramDocument.TREE, read.text());
@@ -171,7 +200,7 @@ final class ProgramFiles {
     programs.open(ProgramDocument.untitled(name, text));
   }
 
-  private void opened(SavedProgram read) {
+  private void show(SavedProgram read) {
     // Another command may have opened it meanwhile.
     Optional<ProgramDocument> already = programs.of(read.path());
     ProgramDocument before = programs.current();
