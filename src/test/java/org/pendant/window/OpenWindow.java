@@ -126,7 +126,8 @@ final class OpenWindow implements AutoCloseable {
     builder.environment().put("XDG_STATE_HOME", folder.resolve("state").toString());
     welcomed(folder);
     OpenWindow window = new OpenWindow(builder.start());
-    window.awaitShown("pendant");
+    // The frame is shown before what is in it.
+    window.awaitShown("header");
     return window;
   }
 

@@ -52,11 +52,46 @@ public final class Desktop {
   /** What the controllers of a cell begin with; written before the window is made. */
   private volatile Optional<CellStart> cell = Optional.empty();
 
-  private final Consumer<DesktopWindow> shown;
+  private final Showing showing;
 
-  private Desktop(Path folder, Consumer<DesktopWindow> shown) {
+  /** How people come to see the window. */
+  private interface Showing {
+    /** Shows the frame before anything is in it, and has {@code next} run afterwards. */
+    void outline(WindowFrame frame, Runnable next);
+
+    /** Shows what is in it. */
+    void whole(DesktopWindow window);
+  }
+
+  private static final Showing ON_THE_SCREEN =
+      new Showing() {
+        @Override
+        public void outline(WindowFrame frame, Runnable next) {
+          frame.showOutline(next);
+        }
+
+        @Override
+        public void whole(DesktopWindow window) {
+          window.open();
+        }
+      };
+
+  private static final Showing TO_NOBODY =
+      new Showing() {
+        @Override
+        public void outline(WindowFrame frame, Runnable next) {
+          next.run();
+        }
+
+        @Override
+        public void whole(DesktopWindow window) {
+          new TrainingWindow(window).begin();
+        }
+      };
+
+  private Desktop(Path folder, Showing showing) {
     this.folder = folder;
-    this.shown = shown;
+    this.showing = showing;
     settings = FileSettings.open(folder.resolve("settings.txt"));
   }
 
@@ -95,7 +130,7 @@ public final class Desktop {
       Optional<StartInstallation> installation,
       SimulationWishes wishes,
       Optional<RobotAccess> access) {
-    return open(files, ports, installation, wishes, access, DesktopWindow::open);
+    return open(files, ports, installation, wishes, access, ON_THE_SCREEN);
   }
 
   /**
@@ -112,7 +147,7 @@ public final class Desktop {
             Optional.empty(),
             SimulationWishes.NONE,
             Optional.empty(),
-            window -> new TrainingWindow(window).begin())
+            TO_NOBODY)
         .awaitClosed();
   }
 
@@ -122,9 +157,9 @@ public final class Desktop {
       Optional<StartInstallation> installation,
       SimulationWishes wishes,
       Optional<RobotAccess> access,
-      Consumer<DesktopWindow> shown) {
+      Showing showing) {
     Desktop desktop =
-        new Desktop(ConfigurationFolder.of(System.getProperties(), System.getenv()), shown);
+        new Desktop(ConfigurationFolder.of(System.getProperties(), System.getenv()), showing);
     wishes.measuredNoise().ifPresent(on -> RobotChange.rememberNoise(desktop.settings, on));
     wishes.startRamp().ifPresent(on -> RobotChange.rememberStartRamp(desktop.settings, on));
     new LanguageSetting(desktop.settings).apply(System.getenv());
@@ -147,17 +182,27 @@ public final class Desktop {
               return begun;
             });
     Programs programs = desktop.lastTime();
+    Consumer<WindowFrame> filled =
+        frame -> desktop.show(frame, session.join(), look, programs, files, ports);
     EventQueue.invokeLater(
-        () -> {
-          try {
-            look.install();
-            desktop.show(session.join(), look, programs, files, ports);
-          } catch (RuntimeException | Error fault) {
-            // There is no window that could tell it: the waiting thread does.
-            desktop.closed.completeExceptionally(fault);
-          }
-        });
+        () ->
+            desktop.makes(
+                () -> {
+                  look.install();
+                  WindowFrame frame = new WindowFrame(desktop.settings);
+                  showing.outline(frame, () -> desktop.makes(() -> filled.accept(frame)));
+                }));
     return desktop;
+  }
+
+  /** Does a part of making the window. */
+  private void makes(Runnable part) {
+    try {
+      part.run();
+    } catch (RuntimeException | Error fault) {
+      // There is no window that could tell it: the waiting thread does.
+      closed.completeExceptionally(fault);
+    }
   }
 
   /** One controller in its scene, or those of a cell. */
@@ -227,6 +272,7 @@ public final class Desktop {
   }
 
   private void show(
+      WindowFrame frame,
       RobotSession session,
       Look look,
       Programs programs,
@@ -234,6 +280,7 @@ public final class Desktop {
       Optional<PortWishes> ports) {
     DesktopWindow window =
         new DesktopWindow(
+            frame,
             session,
             settings,
             look,
@@ -244,7 +291,7 @@ public final class Desktop {
     Faults.keepIn(
         new FaultFile(StateFolder.faults(System.getenv())),
         text -> EventQueue.invokeLater(() -> window.tell(text)));
-    shown.accept(window);
+    showing.whole(window);
     settings.notice().ifPresent(window::warn);
     settings.onTrouble(text -> EventQueue.invokeLater(() -> window.warn(text)));
     start.ifPresent(window::begin);

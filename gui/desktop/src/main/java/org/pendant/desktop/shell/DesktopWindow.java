@@ -103,11 +103,13 @@ final class DesktopWindow {
   private int warnings;
 
   /**
-   * The window, not visible yet.
+   * What is in the window, not visible yet.
    *
+   * @param window the frame around it
    * @param closed runs when it has been closed
    */
   DesktopWindow(
+      WindowFrame window,
       RobotSession session,
       Settings settings,
       Look look,
@@ -116,6 +118,7 @@ final class DesktopWindow {
       OpenFiles openFiles,
       Runnable closed) {
     assert EventQueue.isDispatchThread();
+    this.window = window;
     this.session = session;
     heap = HeapCare.with(session::storedBytes);
     this.look = look;
@@ -209,7 +212,7 @@ final class DesktopWindow {
             saves,
             notices,
             this::dispose);
-    window = new WindowFrame(settings, closeDialog::ask);
+    window.askedToClose(closeDialog::ask);
     welcome = new WelcomeCard(actions, settings, docks.component());
     programs.addListener(welcome::close);
     docks.addListener(welcome::close);
@@ -315,6 +318,7 @@ final class DesktopWindow {
     JPanel south = new JPanel(new BorderLayout());
     south.add(new StatusRow(views.past().banner(), status), BorderLayout.NORTH);
     south.add(footer, BorderLayout.CENTER);
+    window.removeOutline();
     JFrame frame = window.frame();
     frame.getRootPane().setTransferHandler(new FileDrop(this::open, this::warn));
     frame.add(header, BorderLayout.NORTH);
@@ -391,6 +395,7 @@ final class DesktopWindow {
     fill();
     typing.start();
     window.frame().setVisible(true);
+    window.frame().validate();
     docks.mainView().ifPresent(docks::show);
     docks.raiseWindows();
     refresh.start();

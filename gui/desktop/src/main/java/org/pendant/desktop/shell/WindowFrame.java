@@ -16,10 +16,13 @@ import java.awt.event.WindowEvent;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JRootPane;
 import javax.swing.SwingUtilities;
+import javax.swing.Timer;
+import org.pendant.kit.fault.Faults;
 import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.icon.SvgIcon;
 import org.pendant.kit.layout.WindowBounds;
@@ -31,18 +34,20 @@ import org.pendant.kit.settings.Settings;
 final class WindowFrame {
   private static final String BOUNDS = "window.bounds";
   private static final String MAXIMIZED = "window.maximized";
+
+  /** So long its making waits for a first picture that nobody may ever see. */
+  private static final int UNSEEN_MS = 200;
+
   private static final Color GROUND = new Color(0x2F5D8C);
 
   private final Settings settings;
   private final JFrame frame = new PaintedFrame();
   private final List<Runnable> waiting = new ArrayList<>();
+  private Optional<Runnable> close = Optional.empty();
+  private boolean closeWanted;
 
-  /**
-   * The frame where it was last time, not visible yet.
-   *
-   * @param close runs when people want it closed; it stays open by itself
-   */
-  WindowFrame(Settings settings, Runnable close) {
+  /** The frame where it was last time, not visible yet; it stays open until it is ended. */
+  WindowFrame(Settings settings) {
     this.settings = settings;
     frame.setName("pendant");
     frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
@@ -50,7 +55,7 @@ final class WindowFrame {
         new WindowAdapter() {
           @Override
           public void windowClosing(WindowEvent event) {
-            close.run();
+            wantClosed();
           }
         });
     frame.setBounds(remembered());
@@ -62,6 +67,40 @@ final class WindowFrame {
 
   JFrame frame() {
     return frame;
+  }
+
+  /** Has {@code close} run when people want it closed, also if they wanted it already. */
+  void askedToClose(Runnable close) {
+    this.close = Optional.of(close);
+    if (closeWanted) {
+      EventQueue.invokeLater(close);
+    }
+  }
+
+  private void wantClosed() {
+    closeWanted = true;
+    close.ifPresent(Runnable::run);
+  }
+
+  /**
+   * Shows where its parts will be, before they are there.
+   *
+   * @param next makes them; runs when people see that, and soon if nothing is painted, as in a
+   *     window that begins minimised
+   */
+  void showOutline(Runnable next) {
+    Timer unseen = Faults.timer(UNSEEN_MS, this::painted);
+    unseen.setRepeats(false);
+    oncePainted(unseen::stop);
+    oncePainted(next);
+    frame.add(new WindowOutline());
+    frame.setVisible(true);
+    unseen.start();
+  }
+
+  /** Removes what has been shown before its parts were there. */
+  void removeOutline() {
+    frame.getContentPane().removeAll();
   }
 
   /** Has something done that people need not wait for when they have seen the window. */

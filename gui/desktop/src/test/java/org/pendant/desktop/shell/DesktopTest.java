@@ -21,6 +21,8 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import javax.swing.AbstractButton;
+import javax.swing.JFrame;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -30,6 +32,9 @@ import org.pendant.kit.settings.ConfigurationFolder;
 /** The whole window, where there is a display. */
 @Tag("slow")
 final class DesktopTest {
+  /** An edge that is no farther from its line does not seem to move. */
+  private static final int OUTLINE_PX = 3;
+
   @TempDir Path folder;
 
   @Test
@@ -45,6 +50,7 @@ final class DesktopTest {
             for (String name : new String[] {"program-run", "program-stop", "rail-run"}) {
               assertTrue(find(frame, name).orElseThrow().isShowing(), name);
             }
+            assertOutlined((JFrame) frame);
             ((AbstractButton) find(frame, "rail-log").orElseThrow()).doClick();
           });
       place(frame, new Rectangle(0, 0, 1024, 700));
@@ -60,12 +66,30 @@ final class DesktopTest {
     }
   }
 
-  /** Waits in the dispatch thread's own order: each turn comes after what was waiting there. */
+  /** The outline that people see first has its lines where the parts have their edges. */
+  private static void assertOutlined(JFrame frame) {
+    Container root = frame.getRootPane();
+    Rectangle middle = WindowOutline.middle(root.getSize());
+    Rectangle rail = boundsIn(root, find(frame, "rail").orElseThrow());
+    Rectangle footer = boundsIn(root, find(frame, "footer").orElseThrow());
+    assertEquals(rail.y, middle.y, OUTLINE_PX, "top");
+    assertEquals(rail.x + rail.width, middle.x, OUTLINE_PX, "left");
+    assertEquals(footer.y, middle.y + middle.height, OUTLINE_PX, "bottom");
+  }
+
+  private static Rectangle boundsIn(Container root, Component part) {
+    return SwingUtilities.convertRectangle(part.getParent(), part.getBounds(), root);
+  }
+
+  /**
+   * The window with its parts. Waits in the dispatch thread's own order: each turn comes after what
+   * was waiting there.
+   */
   private static Frame frame() throws Exception {
     while (true) {
       EventQueue.invokeAndWait(() -> {});
       for (Frame each : Frame.getFrames()) {
-        if ("pendant".equals(each.getName()) && each.isShowing()) {
+        if ("pendant".equals(each.getName()) && find(each, "header").isPresent()) {
           return each;
         }
       }

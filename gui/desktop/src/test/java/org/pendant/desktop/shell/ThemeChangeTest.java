@@ -95,6 +95,7 @@ final class ThemeChangeTest {
     Example first = Example.all().getFirst();
     window =
         new DesktopWindow(
+            new WindowFrame(settings),
             session,
             settings,
             look,
