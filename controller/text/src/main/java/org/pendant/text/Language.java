@@ -48,6 +48,11 @@ public enum Language {
         : title.substring(0, 1).toLowerCase(Locale.ROOT) + title.substring(1);
   }
 
+  /** What is told of something, behind its name and a colon. */
+  public String told(String name, String what) {
+    return name + (this == CHINESE ? "\uff1a" : ": ") + what;
+  }
+
   /** The one that has a code; empty if none has. */
   public static Optional<Language> ofCode(String code) {
     for (Language each : values()) {

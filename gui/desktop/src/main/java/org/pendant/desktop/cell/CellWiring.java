@@ -203,7 +203,7 @@ record CellWiring(List<Box> boxes) {
         if (bank != SignalBank.FLAG) {
           groups.add(
               group(
-                  controller + ": " + title(bank),
+                  Messages.told(controller, title(bank)),
                   controller + "." + bank.text(),
                   bank.size(),
                   bank.input() ? WireSignal.Kind.INPUT : WireSignal.Kind.OUTPUT));
@@ -216,7 +216,7 @@ record CellWiring(List<Box> boxes) {
   private static Group group(String owner, SignalGroup group) {
     WireSignal.Kind kind = group.settable() ? WireSignal.Kind.INPUT : WireSignal.Kind.OUTPUT;
     return new Group(
-        owner + ": " + group.name(),
+        Messages.told(owner, group.name()),
         IntStream.range(group.first(), group.first() + Math.min(MAX_SHOWN, group.count()))
             .mapToObj(i -> new CellSignal(owner, group.name(), i).toString())
             .map(name -> new WireSignal(name, kind))

@@ -176,7 +176,7 @@ final class DeviceForm {
       case DeviceField.Flag flag ->
           form.check(
               Messages.shown(flag.title()),
-              Messages.shown(flag.title()) + ": " + Messages.shown(flag.help()),
+              Messages.told(Messages.shown(flag.title()), Messages.shown(flag.help())),
               device -> part.get.apply(device).flag(flag.key(), flag.standing()),
               (device, on) ->
                   part.change(device, text -> text.withFlag(flag.key(), on, flag.standing())));
@@ -200,7 +200,7 @@ final class DeviceForm {
       case DeviceField.Words words ->
           form.text(
               Messages.shown(words.title()),
-              Messages.shown(words.title()) + ": " + Messages.shown(words.help()),
+              Messages.told(Messages.shown(words.title()), Messages.shown(words.help())),
               "",
               device -> part.get.apply(device).text(words.key()),
               (device, typed) ->
@@ -219,7 +219,7 @@ final class DeviceForm {
       case DeviceField.Subject subject ->
           form.choice(
               Messages.shown(subject.title()),
-              Messages.shown(subject.title()) + ": " + Messages.shown(subject.help()),
+              Messages.told(Messages.shown(subject.title()), Messages.shown(subject.help())),
               device -> subjects(subject, scene.get()),
               name -> name,
               device -> part.get.apply(device).text(subject.key()),
@@ -237,7 +237,7 @@ final class DeviceForm {
                   part.change(device, text -> text.withList(subjects.key(), names(names))));
       case DeviceField.Spot spot -> addSpot(spot, part);
       case DeviceField.Group group -> {
-        form.heading(Messages.shown(group.title()) + ": " + Messages.shown(group.help()));
+        form.heading(Messages.told(Messages.shown(group.title()), Messages.shown(group.help())));
         Part inner = part.inner(group.key());
         form.naming(inner.name + "-");
         group.fields().forEach(each -> addRow(each, inner));
@@ -247,7 +247,7 @@ final class DeviceForm {
   }
 
   private void addAxes(String title, String help, String key, Range range, Part part) {
-    form.heading(() -> title + ": " + help + ", " + frame.get());
+    form.heading(() -> text("axesInFrame", title, help, frame.get()));
     Measure usual = measure(range);
     Axes.addTo(
         form,
@@ -266,7 +266,7 @@ final class DeviceForm {
   private void addChoice(DeviceField.Choice choice, Part part) {
     form.choice(
         Messages.shown(choice.title()),
-        Messages.shown(choice.title()) + ": " + Messages.shown(choice.help()),
+        Messages.told(Messages.shown(choice.title()), Messages.shown(choice.help())),
         device -> choice.ways(),
         DeviceField.Choice.Way::title,
         device -> way(choice, part.get.apply(device)),
@@ -317,7 +317,7 @@ final class DeviceForm {
   private void addSpot(DeviceField.Spot spot, Part part) {
     form.check(
         Messages.shown(spot.without()),
-        Messages.shown(spot.title()) + ": " + Messages.shown(spot.help()),
+        Messages.told(Messages.shown(spot.title()), Messages.shown(spot.help())),
         device -> part.get.apply(device).pose(spot.key()).isEmpty(),
         (device, on) ->
             part.change(
@@ -400,7 +400,7 @@ final class DeviceForm {
   private void addWire(DeviceField.Wire wire, Part part) {
     form.choice(
         Messages.shown(wire.title()),
-        Messages.shown(wire.title()) + ": " + Messages.shown(wire.help()),
+        Messages.told(Messages.shown(wire.title()), Messages.shown(wire.help())),
         device -> withOthers(wire, others.get(), device.name()),
         this::words,
         device -> part.get.apply(device).text(wire.key()),

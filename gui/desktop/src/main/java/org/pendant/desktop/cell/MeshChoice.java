@@ -83,10 +83,11 @@ record MeshChoice(Optional<Path> folder, Optional<Path> file, Optional<MeshUnit>
                   .orElse(text("notTheSurfaceOfASolid")));
       return new Facts(
           lines,
-          look.problem().map(why -> name + ": " + Messages.shown(why)).orElse(""),
+          look.problem().map(why -> Messages.told(name, Messages.shown(why))).orElse(""),
           look.mesh().map(mesh -> new MeshPart(name, of, mesh)));
     } catch (IOException | MeshException | IllegalArgumentException e) {
-      return new Facts(List.of(), name + ": " + Messages.shown(e.getMessage()), Optional.empty());
+      return new Facts(
+          List.of(), Messages.told(name, Messages.shown(e.getMessage())), Optional.empty());
     }
   }
 

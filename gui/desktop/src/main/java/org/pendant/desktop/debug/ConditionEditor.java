@@ -10,6 +10,7 @@ import javax.swing.JTable;
 import javax.swing.JTextField;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
+import org.pendant.kit.text.Messages;
 import org.pendant.kit.theme.Palette;
 
 /**
@@ -120,7 +121,7 @@ final class ConditionEditor extends DefaultCellEditor {
 
   private void show(String refusal) {
     field.putClientProperty("JComponent.outline", refusal.isEmpty() ? null : "error");
-    why.setText(refusal.isEmpty() ? "" : kind + ": " + refusal);
+    why.setText(refusal.isEmpty() ? "" : Messages.told(kind, refusal));
     why.setToolTipText(refusal.isEmpty() ? null : refusal);
     why.setForeground(Palette.error());
     why.setVisible(!refusal.isEmpty());

@@ -17,6 +17,7 @@ import org.commonmark.node.Text;
 import org.commonmark.parser.Parser;
 import org.commonmark.renderer.text.LineBreakRendering;
 import org.commonmark.renderer.text.TextContentRenderer;
+import org.pendant.kit.text.Messages;
 
 /** Help search: finds sections of the help by words that are in them. */
 final class HelpSearch {
@@ -34,7 +35,7 @@ final class HelpSearch {
   record Hit(HelpPage page, String heading, String place) {
     @Override
     public String toString() {
-      return heading.equals(page.title()) ? heading : page.title() + ": " + heading;
+      return heading.equals(page.title()) ? heading : Messages.told(page.title(), heading);
     }
   }
 

@@ -23,6 +23,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.unit.DisplayUnit;
 import org.pendant.kit.layout.InnerScroll;
 import org.pendant.kit.layout.TitledCard;
+import org.pendant.kit.text.Messages;
 import org.pendant.kit.theme.Palette;
 
 /** Device card: the devices of the cell, what they are at, and parts for them to hold. */
@@ -167,7 +168,7 @@ final class DeviceCard {
     line.part.setSelected(row.boxOn());
     if (!row.doing().equals(line.doing.getText())) {
       line.doing.setText(row.doing());
-      line.doing.setToolTipText(row.name() + ": " + row.doing());
+      line.doing.setToolTipText(Messages.told(row.name(), row.doing()));
     }
   }
 }

@@ -11,6 +11,7 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.modbus.ModbusSignalState;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.layout.TitledCard;
+import org.pendant.kit.text.Messages;
 import org.pendant.kit.theme.Palette;
 
 /** Modbus card: the signals at Modbus devices, of the installation and of programs. */
@@ -68,7 +69,7 @@ final class ModbusCard {
     for (int i = 0; i < rows.size(); i++) {
       ModbusRow row = rows.get(i);
       Line line = lines.get(i);
-      show(line.name, row.name(), row.name() + ": " + row.place());
+      show(line.name, row.name(), Messages.told(row.name(), row.place()));
       show(line.value, row.value(), text("valueOf", row.name(), row.value()));
       show(line.rate, row.rate(), text("howOftenIsExchanged", row.name()));
       show(line.status, row.status(), row.status());

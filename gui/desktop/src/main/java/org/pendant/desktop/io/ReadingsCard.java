@@ -12,6 +12,7 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.layout.TitledCard;
+import org.pendant.kit.text.Messages;
 import org.pendant.models.arm.Joints;
 
 /**
@@ -53,7 +54,9 @@ final class ReadingsCard {
     for (int joint = 0; joint < Joints.COUNT; joint++) {
       String title = Readings.JOINTS.get(joint);
       joints.add(
-          Readings.JOINT_COLUMNS.stream().map(each -> Cells.value(title + ": " + each)).toList());
+          Readings.JOINT_COLUMNS.stream()
+              .map(each -> Cells.value(Messages.told(title, each)))
+              .toList());
     }
     table.setOpaque(false);
     below.setOpaque(false);

@@ -17,6 +17,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import net.miginfocom.swing.MigLayout;
+import org.pendant.kit.text.Messages;
 import org.pendant.language.source.ByteText;
 
 /** Log detail: one message in full, wrapped and selectable. */
@@ -104,7 +105,7 @@ final class LogDetail {
   /** What the code of a safety function means and what may help, below the message. */
   private static String help(LogLine line) {
     return CodeHelp.of(line.code())
-        .map(help -> "\n\n" + line.code() + ": " + help.meaning() + "\n" + help.suggestion())
+        .map(help -> "\n\n" + Messages.told(line.code(), help.meaning()) + "\n" + help.suggestion())
         .orElse("");
   }
 

@@ -9,6 +9,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.desktop.unit.PoseForm;
+import org.pendant.kit.text.Messages;
 
 /** Pose fields: the six numbers of a pose, position on the left and rotation on the right. */
 final class PoseFields {
@@ -75,7 +76,7 @@ final class PoseFields {
   String problem(PoseForm form) {
     for (int i = 0; i < draft.size(); i++) {
       if (!draft.problem(i).isEmpty()) {
-        return form.labels().get(i) + ": " + draft.problem(i);
+        return Messages.told(form.labels().get(i), draft.problem(i));
       }
     }
     return "";

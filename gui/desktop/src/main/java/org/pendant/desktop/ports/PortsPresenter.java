@@ -12,6 +12,7 @@ import java.util.stream.Stream;
 import org.pendant.command.service.PortWishes;
 import org.pendant.desktop.ports.PortsState.Trouble;
 import org.pendant.kit.settings.Settings;
+import org.pendant.kit.text.Messages;
 import org.pendant.protocols.net.Connection;
 import org.pendant.protocols.net.TcpPort;
 
@@ -202,7 +203,7 @@ final class PortsPresenter {
     TcpPort port = open.port();
     List<Connection> clients = port.connections();
     return new Row(
-        open.controller().isEmpty() ? port.name() : open.controller() + ": " + port.name(),
+        open.controller().isEmpty() ? port.name() : Messages.told(open.controller(), port.name()),
         open.address() + ":" + port.number(),
         clients.size(),
         String.join(", ", clients.stream().map(PortsPresenter::who).sorted().toList()));

@@ -122,7 +122,7 @@ final class IncompleteBar extends JPanel {
   private String text(NodeProblem problem) {
     String name = label.apply(problem.key());
     String message = Messages.shown(problem.message());
-    return message.startsWith(name) ? message : name + ": " + message;
+    return message.startsWith(name) ? message : Messages.told(name, message);
   }
 
   /** Node and message. */

@@ -38,7 +38,7 @@ final class NodeLabels {
   /** The line for a step. */
   String of(Step step) {
     String label = shown(step, StepNames.label(step, this::signal));
-    return ExternalControl.is(step) ? label + ": " + driver.text() : label;
+    return ExternalControl.is(step) ? Messages.told(label, driver.text()) : label;
   }
 
   /** The line for a step with the names that signals have by themselves. */

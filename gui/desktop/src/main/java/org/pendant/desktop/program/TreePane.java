@@ -29,6 +29,7 @@ import org.pendant.kit.action.ActionTable;
 import org.pendant.kit.action.Actions;
 import org.pendant.kit.action.KeyText;
 import org.pendant.kit.layout.Squeeze;
+import org.pendant.kit.text.Messages;
 import org.pendant.project.program.check.NodeProblem;
 
 /** Tree pane: the tree with what is around it: buttons, search, and what is not complete. */
@@ -193,7 +194,7 @@ final class TreePane extends JPanel {
       item.setEnabled(action.enabled().getAsBoolean());
       String reason = actions instanceof ActionTable table ? table.reason(RUN_FROM) : "";
       if (!reason.isEmpty()) {
-        item.setToolTipText(action.title() + ": " + reason);
+        item.setToolTipText(Messages.told(action.title(), reason));
       }
     }
     item.addActionListener(event -> action.run().run());

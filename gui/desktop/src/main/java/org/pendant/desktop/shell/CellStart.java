@@ -20,6 +20,7 @@ import org.pendant.desktop.session.CellSetup;
 import org.pendant.desktop.session.SavedProgram;
 import org.pendant.desktop.session.SceneFile;
 import org.pendant.kit.settings.Settings;
+import org.pendant.kit.text.Messages;
 import org.pendant.models.arm.ArmLibrary;
 
 /**
@@ -102,7 +103,7 @@ record CellStart(
               installation,
               installation.isPresent() && arm.robot().isEmpty(),
               wishes(arm));
-      start.troubles().forEach(each -> troubles.add(arm.name() + ": " + each));
+      start.troubles().forEach(each -> troubles.add(Messages.told(arm.name(), each)));
       add(start.controller());
       if (arm.program().isPresent()) {
         program(arm.name(), arm.program().get());

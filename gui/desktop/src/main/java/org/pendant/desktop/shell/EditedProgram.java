@@ -62,7 +62,7 @@ final class EditedProgram implements WhatIfView.RanProgram {
     ProgramDocument document = started().orElseGet(programs::current);
     Optional<String> why = runs.whyNot(document, 0);
     if (why.isPresent()) {
-      failed.accept(document.name() + ": " + why.get());
+      failed.accept(Messages.told(document.name(), why.get()));
       return;
     }
     ProgramLaunch plan = runs.plan(document, 0);
@@ -79,7 +79,7 @@ final class EditedProgram implements WhatIfView.RanProgram {
             refusal(document, compiled)
                 .ifPresentOrElse(
                     failed, () -> then.accept(compiled.loadResult().program().orElseThrow())),
-        refused -> failed.accept(document.name() + ": " + refused.getMessage()));
+        refused -> failed.accept(Messages.told(document.name(), refused.getMessage())));
   }
 
   /** What became of a text. */
@@ -99,7 +99,7 @@ final class EditedProgram implements WhatIfView.RanProgram {
               Messages.shown(ByteText.decoded(error.get().message()))));
     }
     return compiled.loadResult().program().orElseThrow().secondary()
-        ? Optional.of(document.name() + ": " + text("aSecondaryProgramRunsBesideAnother"))
+        ? Optional.of(Messages.told(document.name(), text("aSecondaryProgramRunsBesideAnother")))
         : Optional.empty();
   }
 }

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import org.pendant.controller.disk.FileTrouble;
+import org.pendant.kit.text.Messages;
 import org.pendant.project.polyscope.xml.UnreadableFile;
 import org.pendant.project.program.text.ProgramText;
 import org.pendant.project.program.urp.ImportedProgram;
@@ -54,10 +55,10 @@ record ForeignProgram(Path file, String name, String text, List<String> remarks)
   /** The first few remarks, and how many there are besides. */
   private static List<String> few(String fileName, List<String> remarks) {
     if (remarks.size() <= SHOWN_REMARKS) {
-      return remarks.stream().map(each -> fileName + ": " + each).toList();
+      return remarks.stream().map(each -> Messages.told(fileName, each)).toList();
     }
     return List.of(
-        fileName + ": " + remarks.getFirst(),
+        Messages.told(fileName, remarks.getFirst()),
         ShellTexts.text("moreRemarksPendantConvertListsAll", fileName, remarks.size() - 1));
   }
 }

@@ -29,6 +29,7 @@ import org.pendant.kit.background.Background;
 import org.pendant.kit.export.SaveDialog;
 import org.pendant.kit.export.SaveRequest;
 import org.pendant.kit.settings.Settings;
+import org.pendant.kit.text.Messages;
 import org.pendant.project.installation.file.InstallationFile;
 import org.pendant.project.installation.file.InstallationTrouble;
 import org.pendant.project.installation.file.LoadedInstallation;
@@ -257,7 +258,7 @@ final class InstallationFiles {
     List<String> remarks = read.remarks();
     remarks.stream()
         .limit(SHOWN_REMARKS)
-        .forEach(each -> warn.accept(file.getFileName() + ": " + each));
+        .forEach(each -> warn.accept(Messages.told(String.valueOf(file.getFileName()), each)));
     if (remarks.size() > SHOWN_REMARKS) {
       tell.accept(text("moreRemarksNotShown", file.getFileName(), remarks.size() - SHOWN_REMARKS));
     }

@@ -10,6 +10,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.shell.Notices.Choice;
 import org.pendant.desktop.shell.run.StopCard;
 import org.pendant.desktop.unit.PoseForm;
+import org.pendant.kit.text.Messages;
 
 /** Stop notice: tells of a stop of the arm while the screen that explains it is not in front. */
 final class StopNotice {
@@ -52,7 +53,7 @@ final class StopNotice {
   private void tell(StopCard card) {
     notices.ask(
         NAME,
-        card.title() + ": " + card.message(),
+        Messages.told(card.title(), card.message()),
         List.of(
             new Choice(text("showWhatHappened"), explain), new Choice(text("close"), () -> {})));
   }

@@ -19,6 +19,7 @@ import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.TableRowSorter;
 import org.pendant.kit.table.TableLook;
+import org.pendant.kit.text.Messages;
 import org.pendant.sweep.run.RunOutcome;
 import org.pendant.sweep.table.CellType;
 import org.pendant.sweep.table.ResultColumn;
@@ -159,8 +160,10 @@ final class RunTable extends JTable {
         model
             .row(convertRowIndexToModel(row))
             .cell(model.shown.get(convertColumnIndexToModel(column)));
-    return of.description()
-        + (value.isEmpty() ? "" : ": " + value + (of.unit().isEmpty() ? "" : " " + of.unit()));
+    String description = Messages.shown(of.description());
+    return value.isEmpty()
+        ? description
+        : Messages.told(description, of.unit().isEmpty() ? value : value + " " + of.unit());
   }
 
   /** The rows that there were at the last look. */

@@ -10,6 +10,7 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.pendant.desktop.editor.LineCover;
 import org.pendant.desktop.editor.LineCover.Reach;
+import org.pendant.kit.text.Messages;
 import org.pendant.testing.coverage.DecisionCoverage;
 import org.pendant.testing.coverage.FileCoverage;
 import org.pendant.testing.coverage.FunctionCoverage;
@@ -50,7 +51,7 @@ final class CoverLines {
   private void lack(DecisionCoverage decision) {
     missing
         .computeIfAbsent(decision.line(), _ -> new ArrayList<>())
-        .add(decision.text() + ": " + decision.missing());
+        .add(Messages.told(decision.text(), decision.missing()));
   }
 
   private LineCover cover(FunctionCoverage function) {

@@ -28,6 +28,7 @@ import javax.swing.Scrollable;
 import javax.swing.SwingUtilities;
 import javax.swing.ToolTipManager;
 import org.pendant.kit.dock.Dockable;
+import org.pendant.kit.text.Messages;
 
 /** Timeline canvas: the tracks over time; the mouse and keys move through it. */
 @SuppressWarnings("serial") // never written to a stream
@@ -205,7 +206,7 @@ final class TimelineCanvas extends JComponent implements Scrollable {
     boolean onMarks = painter.onMarks(event.getY());
     Optional<Pin> pin = onMarks ? pins.at(timeS, near()) : Optional.empty();
     Optional<ClientMark> mark = onMarks ? clientMark(timeS) : Optional.empty();
-    return pin.map(each -> LookBack.text(each.timeS()) + ": " + each.text())
+    return pin.map(each -> Messages.told(LookBack.text(each.timeS()), each.text()))
         .or(
             () ->
                 mark.map(each -> text("messageOfClient", LookBack.text(each.timeS()), each.text())))

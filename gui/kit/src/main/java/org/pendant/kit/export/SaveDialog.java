@@ -19,6 +19,7 @@ import javax.swing.filechooser.FileNameExtensionFilter;
 import javax.swing.plaf.basic.BasicFileChooserUI;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.kit.fault.Faults;
+import org.pendant.kit.text.Messages;
 
 /**
  * Save dialog: asks where to save and saves there, while the window behind it can be used. A file
@@ -165,7 +166,7 @@ public final class SaveDialog {
       setSelectedFile(file);
       Optional<String> refusal = request.refusal(file.toPath());
       if (refusal.isPresent()) {
-        dialog.setTitle(request.title() + ": " + refusal.get());
+        dialog.setTitle(Messages.told(request.title(), refusal.get()));
         return;
       }
       if (file.exists() && !file.equals(warned)) {

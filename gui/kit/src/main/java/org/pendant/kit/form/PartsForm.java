@@ -34,6 +34,7 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.layout.ShownFocus;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.WrappingRow;
+import org.pendant.kit.text.Messages;
 import org.pendant.kit.theme.Palette;
 
 /**
@@ -518,7 +519,8 @@ public final class PartsForm<T> {
                     .filter(each -> !each.refusal().isEmpty())
                     .map(
                         each ->
-                            each.getAccessibleContext().getAccessibleName() + ": " + each.refusal())
+                            Messages.told(
+                                each.getAccessibleContext().getAccessibleName(), each.refusal()))
                     .findFirst()
                     .orElse(""));
     fields.forEach(each -> each.whenRefused(tell));

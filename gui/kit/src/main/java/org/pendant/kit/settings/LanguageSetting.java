@@ -41,6 +41,13 @@ public final class LanguageSetting {
     chosen()
         .or(() -> Language.askedFor(environment))
         .ifPresent(each -> Locale.setDefault(Locale.Category.DISPLAY, Locale.of(each.code())));
-    JComponent.setDefaultLocale(Locale.getDefault(Locale.Category.DISPLAY));
+    JComponent.setDefaultLocale(ofSwing());
+  }
+
+  /** Swing has its Chinese by the country: it finds nothing for the language alone. */
+  private static Locale ofSwing() {
+    return Language.ofProcess() == Language.CHINESE
+        ? Locale.SIMPLIFIED_CHINESE
+        : Locale.getDefault(Locale.Category.DISPLAY);
   }
 }

@@ -27,4 +27,12 @@ public final class Messages {
   public static String shown(String message, String written) {
     return TRANSLATOR.shown(message, written);
   }
+
+  /**
+   * What is told of something, behind its name and a colon, as the language of the window writes
+   * it.
+   */
+  public static String told(String name, String what) {
+    return Language.ofProcess().told(name, what);
+  }
 }

@@ -6,6 +6,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import javax.swing.JComponent;
+import javax.swing.UIDefaults;
+import javax.swing.UIManager;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.pendant.text.Language;
@@ -27,6 +29,15 @@ final class LanguageSettingTest {
     language.apply(Map.of());
     assertEquals(Language.GERMAN, Language.ofProcess());
     assertEquals(Locale.GERMAN, JComponent.getDefaultLocale());
+  }
+
+  @Test
+  void dialogsOfSwingSpeakChineseToo() {
+    new LanguageSetting(settings).apply(Map.of(Language.VARIABLE, "zh"));
+    UIDefaults texts = UIManager.getLookAndFeelDefaults();
+    assertEquals(
+        "\u53d6\u6d88",
+        texts.getString("FileChooser.cancelButtonText", JComponent.getDefaultLocale()));
   }
 
   @Test

@@ -11,6 +11,7 @@ import java.util.function.UnaryOperator;
 import org.pendant.desktop.program.form.Item.Option;
 import org.pendant.desktop.unit.ShownMeasure;
 import org.pendant.kit.form.Measure;
+import org.pendant.kit.text.Messages;
 import org.pendant.project.program.Identifiers;
 import org.pendant.project.program.NodeField;
 import org.pendant.project.program.NumberRange;
@@ -155,7 +156,7 @@ final class FormBuilder {
   /** Why a text cannot be the name of a variable; empty if it can, or is empty. */
   static String nameRefusal(String text) {
     String name = text.strip();
-    return name.isEmpty() ? "" : Identifiers.refusal(name).orElse("");
+    return name.isEmpty() ? "" : Identifiers.refusal(name).map(Messages::shown).orElse("");
   }
 
   /** An expression for any value. */

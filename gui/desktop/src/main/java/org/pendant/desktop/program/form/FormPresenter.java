@@ -202,7 +202,7 @@ final class FormPresenter {
     }
     return host.problems(key.getAsLong()).stream()
         .filter(each -> at(shown, each).filter(name::equals).isPresent())
-        .map(NodeProblem::message)
+        .map(each -> Messages.shown(each.message()))
         .findFirst()
         .orElse("");
   }

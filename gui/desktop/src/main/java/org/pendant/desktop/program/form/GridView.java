@@ -13,6 +13,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
+import org.pendant.kit.text.Messages;
 import org.pendant.kit.theme.Palette;
 
 /** Grid view: numbers in columns, filled downwards; what is wrong with them stands below all. */
@@ -152,7 +153,7 @@ final class GridView implements FieldView {
       String refusal = fields.get(i).refusal();
       fields.get(i).outline(!refusal.isEmpty());
       FieldViews.describe(fields.get(i), refusal, now(i).legal());
-      said = refusal.isEmpty() ? said : now(i).label() + ": " + refusal;
+      said = refusal.isEmpty() ? said : Messages.told(now(i).label(), refusal);
     }
     problem.say(said);
   }

@@ -23,6 +23,7 @@ import org.pendant.kit.background.WorkQueue;
 import org.pendant.kit.background.WorkerThread;
 import org.pendant.kit.layout.SettledScroll;
 import org.pendant.kit.layout.TitledCard;
+import org.pendant.kit.text.Messages;
 import org.pendant.language.signature.Catalogue;
 import org.pendant.project.program.ProgramNode;
 
@@ -191,7 +192,7 @@ public final class NodeForms {
       for (Item.Quantity number : grid.numbers()) {
         String problem = presenter.problem(form, number.name());
         if (!problem.isEmpty()) {
-          return number.label() + ": " + problem;
+          return Messages.told(number.label(), problem);
         }
       }
     }

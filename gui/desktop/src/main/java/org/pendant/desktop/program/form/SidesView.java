@@ -9,6 +9,7 @@ import javax.swing.JToggleButton;
 import org.pendant.desktop.program.form.Item.Option;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.WrappingRow;
+import org.pendant.kit.text.Messages;
 
 /** Segmented view: a choice of few, as buttons beside each other. */
 final class SidesView implements FieldView {
@@ -22,11 +23,10 @@ final class SidesView implements FieldView {
     PressesView.bare(row);
     views.named(row, choice);
     ButtonGroup group = new ButtonGroup();
-    String words = choice.label().isEmpty() ? "" : choice.label() + ": ";
     for (Option each : choice.options()) {
       JToggleButton button = new JToggleButton(each.text());
       button.putClientProperty("FlatLaf.style", "minimumWidth: 0; margin: 2,8,2,8");
-      TitledCard.named(button, row.getName() + "-" + each.value(), words + each.text());
+      TitledCard.named(button, row.getName() + "-" + each.value(), words(choice, each));
       button.addActionListener(
           event -> {
             views.presenter().choose(item.name(), each.value());
@@ -38,6 +38,10 @@ final class SidesView implements FieldView {
     }
     panel = new FieldPanel(row, row.getName(), () -> "");
     show(choice);
+  }
+
+  private static String words(Item.Choice choice, Option option) {
+    return choice.label().isEmpty() ? option.text() : Messages.told(choice.label(), option.text());
   }
 
   @Override

@@ -10,6 +10,7 @@ import org.pendant.desktop.program.form.Item.Option;
 import org.pendant.desktop.unit.PoseForm;
 import org.pendant.desktop.unit.ShownMeasure;
 import org.pendant.kit.form.Measure;
+import org.pendant.kit.text.Messages;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
@@ -146,7 +147,7 @@ final class WaypointForm {
     if (!name.equals(was) && WaypointNames.of(tree).contains(name)) {
       return text("isAnotherWaypointChooseItUnder", name);
     }
-    return Identifiers.formRefusal(name).orElse("");
+    return Identifiers.formRefusal(name).map(Messages::shown).orElse("");
   }
 
   private static ProgramTree renamed(

@@ -12,6 +12,7 @@ import org.pendant.controller.command.Command;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.ArmReadiness;
 import org.pendant.kit.icon.Glyph;
+import org.pendant.kit.text.Messages;
 import org.pendant.kit.theme.Badge;
 import org.pendant.kit.theme.Palette;
 
@@ -65,7 +66,7 @@ final class ReadinessBar extends JPanel {
     remedy.setText(worded ? shown.remedy() : "");
     remedy.setVisible(!shown.remedy().isEmpty());
     remedy.setEnabled(shown.command().isPresent());
-    remedy.setToolTipText(shown.remedy() + ": " + shown.hint());
+    remedy.setToolTipText(Messages.told(shown.remedy(), shown.hint()));
     remedy.getAccessibleContext().setAccessibleName(shown.remedy());
     remedy.getAccessibleContext().setAccessibleDescription(shown.hint());
   }
