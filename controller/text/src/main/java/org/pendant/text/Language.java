@@ -53,6 +53,15 @@ public enum Language {
     return name + (this == CHINESE ? "\uff1a" : ": ") + what;
   }
 
+  /**
+   * How many there are of something, in groups of three digits. In German with narrow spaces: the
+   * point that is usual there is before the decimals of the numbers around it, as in scripts.
+   */
+  public String grouped(long count) {
+    String english = String.format(Locale.ROOT, "%,d", count);
+    return this == GERMAN ? english.replace(',', '\u202f') : english;
+  }
+
   /** The one that has a code; empty if none has. */
   public static Optional<Language> ofCode(String code) {
     for (Language each : values()) {

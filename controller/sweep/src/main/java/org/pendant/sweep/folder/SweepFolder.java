@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.disk.AtomicFile;
 import org.pendant.controller.disk.GrowingFile;
+import org.pendant.sweep.folder.SweepFolderException.Earlier;
 import org.pendant.sweep.run.SweepJob;
 import org.pendant.sweep.table.CsvRows;
 import org.pendant.sweep.table.ParquetTable;
@@ -63,7 +64,7 @@ public final class SweepFolder implements Closeable {
       throws IOException, SweepFolderException {
     Path results = folder.resolve(RESULTS);
     if (begun(folder)) {
-      throw new SweepFolderException(text("hasResults", folder));
+      throw new SweepFolderException(text("hasResults", folder), Earlier.ANY);
     }
     Files.createDirectories(folder);
     AtomicFile.write(folder.resolve(PLAN), job.planText().getBytes(StandardCharsets.UTF_8));
@@ -86,7 +87,7 @@ public final class SweepFolder implements Closeable {
       throws IOException, SweepFolderException {
     Path results = folder.resolve(RESULTS);
     if (!origin(folder).getFirst().equals(job.identity())) {
-      throw new SweepFolderException(text("otherResults", folder));
+      throw new SweepFolderException(text("otherResults", folder), Earlier.OTHER);
     }
     ResultTable table = ResultTable.of(job.plan());
     long done;

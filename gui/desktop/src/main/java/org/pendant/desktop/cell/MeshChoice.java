@@ -7,7 +7,6 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import org.pendant.controller.world.Material;
 import org.pendant.controller.world.MeshFiles;
@@ -19,6 +18,7 @@ import org.pendant.models.mesh.MeshFile;
 import org.pendant.models.mesh.MeshLook;
 import org.pendant.models.mesh.MeshUnit;
 import org.pendant.models.pose.Pose;
+import org.pendant.text.Language;
 
 /**
  * Mesh choice: a file of triangles that somebody is about to add to a scene, and what can be told
@@ -71,7 +71,7 @@ record MeshChoice(Optional<Path> folder, Optional<Path> file, Optional<MeshUnit>
       MeshLook look = MeshFiles.look(folder.orElseThrow(), name, of);
       List<String> lines =
           List.of(
-              text("triangles", String.format(Locale.ROOT, "%,d", look.triangles())),
+              text("triangles", Language.ofProcess().grouped(look.triangles())),
               rounded(look.xM())
                   + " \u00d7 "
                   + rounded(look.yM())

@@ -4,7 +4,7 @@ import static org.pendant.desktop.log.LogTexts.text;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
+import org.pendant.text.Language;
 
 /**
  * Log counts: what the bar says about the messages.
@@ -46,6 +46,6 @@ record LogCounts(String messages, String matches) {
   }
 
   private static String number(long value) {
-    return String.format(Locale.ROOT, "%,d", value);
+    return Language.ofProcess().grouped(value);
   }
 }

@@ -21,7 +21,7 @@ public final class StopAdvice {
       case 192 -> text("aSensorReportsNoNumberRestart");
       case 200 -> text("chooseAGoalThatTheArm");
       case 204 -> text("theTargetJumpsCheckServojSpeedj");
-      case 209 -> text("theProgramAskedForThisStop");
+      case 209 -> text("unlockAndGoOn");
       default -> text("lookAtTheLogForWhat");
     };
   }

@@ -485,7 +485,7 @@ final class PlanPanel extends JPanel {
       return;
     }
     sure = false;
-    presenter.start(presenter.rowsThere() > 0 ? Sweep.Start.ANEW : Sweep.Start.NEW);
+    presenter.start(presenter.fromTheFirst());
   }
 
   /** That nothing is chosen yet is no mistake. */

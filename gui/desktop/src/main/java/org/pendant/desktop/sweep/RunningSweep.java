@@ -74,7 +74,9 @@ final class RunningSweep implements SweepListener {
       try (Engine engine = read.local(order.workers())) {
         done = read.run(order.folder(), order.start(), engine, this, () -> cancelled);
       }
-    } catch (PlanException | SweepFolderException | EngineException e) {
+    } catch (SweepFolderException e) {
+      trouble = e.earlier().map(this::inTheWay).orElse(e.getMessage());
+    } catch (PlanException | EngineException e) {
       trouble = e.getMessage();
     } catch (IOException e) {
       trouble = order.folder() + ": " + FileTrouble.reason(e);
@@ -84,6 +86,25 @@ final class RunningSweep implements SweepListener {
     } finally {
       ended = true;
     }
+  }
+
+  /** What the buttons of the window can do about results that are there already. */
+  private String inTheWay(SweepFolderException.Earlier earlier) {
+    return switch (earlier) {
+      case ANY ->
+          SweepTexts.text(
+              "hasResults",
+              order.folder(),
+              SweepTexts.text("resume"),
+              SweepTexts.text("startAnew"),
+              SweepTexts.text("plan"));
+      case OTHER ->
+          SweepTexts.text(
+              "hasOtherResults",
+              order.folder(),
+              SweepTexts.text("startAnew"),
+              SweepTexts.text("plan"));
+    };
   }
 
   /** Whether it is to end. */

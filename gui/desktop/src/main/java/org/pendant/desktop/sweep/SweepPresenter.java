@@ -67,8 +67,8 @@ final class SweepPresenter {
    * @param rows how many results there are beside it; 0 for none
    * @param of what these are of; empty where that cannot be read
    */
-  record Found(Path plan, boolean there, long rows, Optional<SweepPlan> of) {
-    static final Found NOTHING = new Found(Path.of(""), false, 0, Optional.empty());
+  record Found(Path plan, boolean there, boolean begun, long rows, Optional<SweepPlan> of) {
+    static final Found NOTHING = new Found(Path.of(""), false, false, 0, Optional.empty());
   }
 
   /**
@@ -321,6 +321,7 @@ final class SweepPresenter {
     return new Found(
         plan,
         Files.exists(plan),
+        SweepFolder.begun(folder),
         rows(folder),
         Files.exists(copy)
             ? RunningSweep.means(Files.readString(copy, StandardCharsets.UTF_8))
@@ -341,6 +342,14 @@ final class SweepPresenter {
     return draft.filter(each -> each.files().plan().equals(found.plan())).isPresent()
         ? found.rows()
         : 0;
+  }
+
+  /** How a sweep of the plan begins with its first run: without a row there is nothing to lose. */
+  Sweep.Start fromTheFirst() {
+    return draft.filter(each -> each.files().plan().equals(found.plan())).isPresent()
+            && found.begun()
+        ? Sweep.Start.ANEW
+        : Sweep.Start.NEW;
   }
 
   /** Whether the results that there are can go on: they are of this plan, and not all of them. */

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import org.pendant.kit.theme.Palette;
 import org.pendant.sweep.run.RunOutcome;
+import org.pendant.text.Language;
 
 /** Words about runs of a sweep, and the colours that go with them. */
 final class SweepWords {
@@ -82,7 +83,7 @@ final class SweepWords {
     if (perS <= 0) {
       return done;
     }
-    String aMinute = String.format(Locale.ROOT, "%,.0f", perS * MINUTE_S);
+    String aMinute = count(Math.round(perS * MINUTE_S));
     return ended
         ? text("doneWithRate", done, aMinute)
         : text(
@@ -90,7 +91,7 @@ final class SweepWords {
   }
 
   private static String count(long runs) {
-    return String.format(Locale.ROOT, "%,d", runs);
+    return Language.ofProcess().grouped(runs);
   }
 
   /** A duration, such as {@code 2 min 5 s}. */

@@ -97,6 +97,37 @@ final class SweepPresenterTest {
   }
 
   @Test
+  void resultsInTheWayAreToldWithTheButtonsThatDealWithThem() throws IOException {
+    presenter.planThis();
+    choose("LONG", Part.STEPS, "2");
+    ran(Sweep.Start.NEW);
+    presenter.start(Sweep.Start.NEW);
+    while (presenter.runs()) {
+      LockSupport.parkNanos(1_000_000);
+      presenter.look();
+    }
+    assertEquals(
+        folder.resolve("nap.sweep")
+            + " has results already: \"Resume\" goes on with them, \"Start anew\u2026\" under"
+            + " \"Plan\" replaces them",
+        presenter.trouble());
+  }
+
+  @Test
+  void aFolderThatWasBegunWithoutARowIsBegunAnew() throws IOException {
+    presenter.planThis();
+    choose("LONG", Part.STEPS, "2");
+    assertEquals(Sweep.Start.NEW, presenter.fromTheFirst());
+    ran(Sweep.Start.NEW);
+    Path results = folder.resolve("nap.sweep/results.csv");
+    Files.writeString(results, Files.readString(results).lines().findFirst().orElseThrow() + "\n");
+    begin();
+    presenter.open(folder.resolve("nap.toml"));
+    assertEquals(0, presenter.rowsThere());
+    assertEquals(2, ran(presenter.fromTheFirst()).size());
+  }
+
+  @Test
   void aPlanThatWasNotSavedIsNotLostWhenOneIsWantedAgain() {
     presenter.planThis();
     choose("LONG", Part.STEPS, "3");
@@ -136,7 +167,11 @@ final class SweepPresenterTest {
       presenter.look();
     }
     // a plan with another text is another one to the command, and so it is here
-    assertTrue(presenter.trouble().contains("another plan"), presenter.trouble());
+    assertEquals(
+        folder.resolve("nap.sweep")
+            + " has results of another plan, or of files that have changed since: \"Start"
+            + " anew\u2026\" under \"Plan\" replaces them",
+        presenter.trouble());
     Files.writeString(folder.resolve("nap.toml"), plan.replace("# mine\n", ""));
     assertEquals(4, ran(Sweep.Start.RESUME).size());
     assertFalse(presenter.canResume(), "all have run");

@@ -1,6 +1,7 @@
 package org.pendant.kit.form;
 
 import java.awt.Component;
+import java.awt.EventQueue;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -513,16 +514,22 @@ public final class PartsForm<T> {
   public PartsForm<T> grid(JPanel grid, List<EntryField> fields) {
     Remark problem = new Remark(id + "-grid-problem", Palette::error);
     Runnable tell =
-        () ->
-            problem.say(
-                fields.stream()
-                    .filter(each -> !each.refusal().isEmpty())
-                    .map(
-                        each ->
-                            Messages.told(
-                                each.getAccessibleContext().getAccessibleName(), each.refusal()))
-                    .findFirst()
-                    .orElse(""));
+        () -> {
+          String before = problem.getText();
+          problem.say(
+              fields.stream()
+                  .filter(each -> !each.refusal().isEmpty())
+                  .map(
+                      each ->
+                          Messages.told(
+                              each.getAccessibleContext().getAccessibleName(), each.refusal()))
+                  .findFirst()
+                  .orElse(""));
+          if (!problem.getText().equals(before)) {
+            // behind the layout that the sentence has asked for; it may be below a large grid
+            EventQueue.invokeLater(() -> panel.scrollRectToVisible(problem.getBounds()));
+          }
+        };
     fields.forEach(each -> each.whenRefused(tell));
     wide(grid);
     panel.add(problem, "span, wrap, " + Remark.LAYOUT);

@@ -56,7 +56,7 @@ final class LanguageSettingTest {
     Map<String, String> chinese = Map.of("PENDANT_LANGUAGE", "zh");
     language.apply(chinese);
     assertEquals(Language.CHINESE, Language.ofProcess());
-    assertEquals(Locale.CHINESE, JComponent.getDefaultLocale());
+    assertEquals(Locale.SIMPLIFIED_CHINESE, JComponent.getDefaultLocale());
     language.choose(Optional.of(Language.ENGLISH));
     language.apply(chinese);
     assertEquals(Language.ENGLISH, Language.ofProcess());

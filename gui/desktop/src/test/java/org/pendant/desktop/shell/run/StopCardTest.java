@@ -57,7 +57,7 @@ final class StopCardTest {
     StopCard card = StopCard.of(controller.state()).orElseThrow();
     assertEquals("Protective stop C209A0", card.title());
     assertEquals(2, card.line());
-    assertEquals("The program asked for this stop.", card.suggestion());
+    assertEquals("Unlock the arm, then resume the program or start it again.", card.suggestion());
     assertEquals("The program asks for it", card.message());
     assertEquals(
         "491.90, -133.30, 487.90 mm",
