@@ -14,8 +14,8 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 
 /**
- * Scene bounds: roughly what an arm, its tool and its trace fill, for cameras that should show all
- * of it.
+ * Scene bounds: roughly what an arm, its tool and its trace fill, and its reach where that is
+ * shown, for cameras that should show all of it.
  *
  * @param balls each of them is to be seen whole; at least one
  */
@@ -56,6 +56,9 @@ public record SceneBounds(List<Ball> balls) {
     TcpTrace trace = model.trace();
     for (int i = 0; i < trace.size(); i += 1 + trace.size() / MAX_OF_TRACE) {
       balls.add(new Ball(new Vector3(trace.x(i), trace.y(i), trace.z(i)), 0));
+    }
+    if (model.safety().reach()) {
+      balls.add(Ball.reach(model));
     }
     return new SceneBounds(balls);
   }

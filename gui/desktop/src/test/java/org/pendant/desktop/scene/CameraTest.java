@@ -66,6 +66,23 @@ final class CameraTest {
   }
 
   @Test
+  void whatTheArmReachesIsSeenWholeWhereItIsShown() {
+    SceneModel model =
+        Models.of("ur5e").withSafety(new SafetySight(List.of(), List.of(), List.of(), true));
+    Ball reach = Ball.reach(model);
+    Camera camera = Camera.of(StandardView.FRONT, SceneBounds.of(model), WIDTH / HEIGHT);
+    for (int side : List.of(-1, 1)) {
+      Vector3 end =
+          new Vector3(
+              reach.centreM().x(),
+              reach.centreM().y(),
+              reach.centreM().z() + side * reach.radiusM());
+      double y = pixel(camera, end)[1];
+      assertTrue(y > 0 && y < HEIGHT, "the reach ends at " + y);
+    }
+  }
+
+  @Test
   void theTargetIsInTheMiddleOfThePicture() {
     Random random = new Random(1);
     for (int i = 0; i < 200; i++) {
