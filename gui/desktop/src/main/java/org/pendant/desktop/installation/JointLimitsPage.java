@@ -36,6 +36,7 @@ final class JointLimitsPage implements Page {
   private final SafetyBar bar;
   private final PartsForm<SafetyConfiguration> form;
   private final List<EntryField> fields = new ArrayList<>();
+  private final List<Runnable> heads = new ArrayList<>();
 
   JointLimitsPage(SafetyDraft draft) {
     this.draft = draft;
@@ -47,12 +48,7 @@ final class JointLimitsPage implements Page {
     form.heading(text("reduced"));
     addSet(
         "reduced", SafetyConfiguration::reduced, (c, limits) -> c.withLimits(c.normal(), limits));
-    form.note(
-        () ->
-            text(
-                "inAndNoneNoLimitBut",
-                draft.measures().of(Measure.DEGREE_PER_S).symbol(),
-                degrees().symbol()));
+    form.note(text("noneNoLimitBut"));
     card.add(bar.component());
     card.add(form.component());
     form.whenNothing(draft::nothingTyped);
@@ -69,9 +65,10 @@ final class JointLimitsPage implements Page {
                 "insets 0, gap 8 6, wrap 4",
                 "[]12[50:100:120, fill][50:100:120, fill][50:100:120, fill]"));
     grid.setOpaque(false);
-    for (String head : List.of("", text("speed"), text("from"), text("to"))) {
-      grid.add(new JLabel(head));
-    }
+    grid.add(new JLabel());
+    head(grid, text("speed"), Measure.DEGREE_PER_S);
+    head(grid, text("from"), Measure.DEGREE);
+    head(grid, text("to"), Measure.DEGREE);
     List<EntryField> mine = new ArrayList<>();
     for (int i = 0; i < Joints.COUNT; i++) {
       int joint = i;
@@ -125,6 +122,14 @@ final class JointLimitsPage implements Page {
     fields.addAll(mine);
   }
 
+  /** A head of a column, with the unit that people have chosen. */
+  private void head(JPanel grid, String title, Measure measure) {
+    JLabel head = new JLabel();
+    heads.add(() -> head.setText(text("head", title, draft.measures().of(measure).symbol())));
+    heads.getLast().run();
+    grid.add(head);
+  }
+
   private static SafetyLimits joints(SafetyLimits l, Joints speed, Joints min, Joints max) {
     return LimitKind.limits(LimitKind.values(l), speed, min, max);
   }
@@ -150,6 +155,7 @@ final class JointLimitsPage implements Page {
   @Override
   public void show() {
     bar.show();
+    heads.forEach(Runnable::run);
     form.show(draft.shown());
     fields.forEach(each -> each.setEnabled(draft.unlocked()));
   }
