@@ -21,12 +21,6 @@ import org.pendant.motion.ToolJog;
  * go to.
  */
 final class JogPlanner {
-  /** Speed of the fastest joint at full speed, rad/s. */
-  static final double JOINT_SPEED_RAD_PER_S = 0.6;
-
-  /** Speed of the TCP at full speed, m/s; what is customary while people are near. */
-  static final double TOOL_SPEED_M_PER_S = 0.25;
-
   /** How far before the end of its range a joint stops, rad. */
   static final double RANGE_MARGIN_RAD = 0.01;
 
@@ -50,9 +44,10 @@ final class JogPlanner {
    */
   MotionPlan plan(JogMove move, double speedFraction) throws PlanningException {
     MoveLimits joints =
-        new MoveLimits(JOINT_ACCELERATION_RAD_PER_S2, speedFraction * JOINT_SPEED_RAD_PER_S, 0);
+        new MoveLimits(
+            JOINT_ACCELERATION_RAD_PER_S2, speedFraction * Jogging.JOINT_SPEED_RAD_PER_S, 0);
     MoveLimits tool =
-        new MoveLimits(TOOL_ACCELERATION_M_PER_S2, speedFraction * TOOL_SPEED_M_PER_S, 0);
+        new MoveLimits(TOOL_ACCELERATION_M_PER_S2, speedFraction * Jogging.TOOL_SPEED_M_PER_S, 0);
     Pose tcp = box.flange().tool().inFlange();
     return switch (move) {
       case JogMove.TurnJoint turn -> (from, speed) -> moveTo(from, rangeEnd(turn, from), joints);

@@ -18,6 +18,12 @@ import org.pendant.motion.StopJ;
  * moves nothing.
  */
 public final class Jogging {
+  /** Speed of the fastest joint at full speed, rad/s. */
+  public static final double JOINT_SPEED_RAD_PER_S = 0.6;
+
+  /** Speed of the TCP at full speed, m/s; what is customary while people are near. */
+  public static final double TOOL_SPEED_M_PER_S = 0.25;
+
   /** Longest time between two repetitions, s of robot time. */
   public static final double DEAD_MAN_S = 0.25;
 

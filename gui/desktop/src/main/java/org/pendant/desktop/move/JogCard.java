@@ -12,7 +12,11 @@ import javax.swing.JSlider;
 import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.jog.JogDirection.Kind;
+import org.pendant.controller.jog.Jogging;
+import org.pendant.desktop.unit.PoseForm;
+import org.pendant.desktop.unit.ShownMeasure;
 import org.pendant.kit.form.HoldButton;
+import org.pendant.kit.form.Measure;
 import org.pendant.kit.form.Remark;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
@@ -26,11 +30,19 @@ final class JogCard {
   private final List<HoldButton> buttons = new ArrayList<>();
   private final Segments<JogAxes> axes;
   private final Segments<JogSize> sizes;
+  private PoseForm form;
+  private final JLabel units = new JLabel();
+
+  /** Below buttons with two numbers each, beside which there is no room. */
+  private final JLabel unitsBelow = new JLabel();
+
+  private final JSlider slider;
   private final JLabel speed = new JLabel();
   private final Remark note = new Remark("move-jog-reason", this::noteColor);
 
   JogCard(JogPresenter presenter) {
     this.presenter = presenter;
+    form = presenter.form();
     axes =
         new Segments<>(
             JogAxes.class,
@@ -44,9 +56,10 @@ final class JogCard {
             JogSize.class,
             presenter.size(),
             "move-step-",
-            JogSize::title,
-            JogSize::meaning,
+            each -> each.title(form),
+            each -> each.meaning(form),
             presenter::setSize);
+    slider = new JSlider(1, 100, (int) Math.round(100 * presenter.speedFraction()));
     Pad along = new Pad(Kind.ALONG, presenter::move, presenter::letGo);
     Pad around = new Pad(Kind.AROUND, presenter::move, presenter::letGo);
     buttons.addAll(along.buttons());
@@ -74,12 +87,8 @@ final class JogCard {
     grid.add(new JLabel(text("axesOf")));
     grid.add(axes.component(), "growx 0");
     grid.add(new JLabel(text("step")));
-    grid.add(sizes.component(), "growx 0, split 2");
-    JLabel units = new JLabel(text("stepUnits"));
-    units.setForeground(Palette.quiet());
-    grid.add(units);
-    JSlider slider = new JSlider(1, 100, (int) Math.round(100 * presenter.speedFraction()));
-    TitledCard.named(slider, "move-speed", text("speedOfMovesByHandAll"));
+    grid.add(steps(), "growx 0");
+    writeUnits();
     slider.addChangeListener(event -> setSpeed(slider.getValue()));
     JLabel label = new JLabel(text("speed"));
     label.setLabelFor(slider);
@@ -92,12 +101,47 @@ final class JogCard {
     return grid;
   }
 
+  private JComponent steps() {
+    JPanel steps = new JPanel(new MigLayout("insets 0, gap 8 2, hidemode 3"));
+    steps.setOpaque(false);
+    steps.add(sizes.component(), "cell 0 0");
+    steps.add(units, "cell 1 0");
+    steps.add(unitsBelow, "cell 0 1");
+    units.setForeground(Palette.quiet());
+    unitsBelow.setForeground(Palette.quiet());
+    return steps;
+  }
+
+  /** Says sizes and speeds in the units of people. */
+  private void writeUnits() {
+    form = presenter.form();
+    sizes.write(each -> each.title(form), each -> each.meaning(form));
+    units.setText(JogSize.units(form));
+    units.setVisible(JogSize.shareNumbers(form));
+    unitsBelow.setText(JogSize.units(form));
+    unitsBelow.setVisible(!units.isVisible());
+    String most =
+        text(
+            "speedOfMovesByHandAll",
+            brief(Measure.MILLIMETRE_PER_S, Jogging.TOOL_SPEED_M_PER_S),
+            brief(Measure.DEGREE_PER_S, Jogging.JOINT_SPEED_RAD_PER_S));
+    TitledCard.named(slider, "move-speed", most);
+  }
+
+  private String brief(Measure usual, double value) {
+    Measure shown = ShownMeasure.of(usual, form);
+    return shown.brief(value) + " " + shown.symbol();
+  }
+
   private void setSpeed(int percent) {
     presenter.setSpeedFraction(percent / 100.0);
     speed.setText(percent + " %");
   }
 
   void refresh() {
+    if (!presenter.form().equals(form)) {
+      writeUnits();
+    }
     axes.show(presenter.axes());
     sizes.show(presenter.size());
     buttons.forEach(each -> each.setEnabled(presenter.movable()));

@@ -8,6 +8,7 @@ import org.pendant.controller.jog.JogDirection;
 import org.pendant.controller.jog.JogFrame;
 import org.pendant.controller.jog.JogMove;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.unit.PoseForm;
 import org.pendant.kit.settings.Settings;
 import org.pendant.models.pose.Pose;
 
@@ -26,6 +27,7 @@ final class JogPresenter {
   private Pose frameInBase = Pose.ZERO;
   private JogAxes axes = JogAxes.BASE;
   private JogSize size = JogSize.HELD;
+  private PoseForm form;
   private double speedFraction;
   private boolean movable;
   private String remark = "";
@@ -35,11 +37,13 @@ final class JogPresenter {
    *
    * @param hold carries moves out
    * @param settings remembers the speed
+   * @param form steps are round numbers of its units
    * @param ranges of the joints, 0 to 5
    */
-  JogPresenter(JogHold hold, Settings settings, IntFunction<JointRange> ranges) {
+  JogPresenter(JogHold hold, Settings settings, PoseForm form, IntFunction<JointRange> ranges) {
     this.hold = hold;
     this.settings = settings;
+    this.form = form;
     this.ranges = ranges;
     steps = new StepJog(hold);
     speedFraction =
@@ -74,10 +78,10 @@ final class JogPresenter {
     if (size == JogSize.HELD) {
       go(new JogMove.TurnJoint(joint, direction));
     } else if (movable) {
-      double after = steps.after(joint, direction, size, now().arm().targetPositionRad());
+      double after = steps.after(joint, direction, step(), now().arm().targetPositionRad());
       if (ranges.apply(joint).contains(after)) {
         remark = "";
-        steps.turn(joint, direction, size, now().arm().targetPositionRad(), speedFraction);
+        steps.turn(joint, direction, step(), now().arm().targetPositionRad(), speedFraction);
       } else {
         remark = text("jointAtTheEnd", JointNames.of(joint));
       }
@@ -91,7 +95,7 @@ final class JogPresenter {
     } else if (movable) {
       remark = "";
       Pose tcp = now().arm().targetTcpInBase();
-      steps.move(direction, size, axesInBase(tcp), tcp, speedFraction);
+      steps.move(direction, step(), axesInBase(tcp), tcp, speedFraction);
     }
   }
 
@@ -182,5 +186,18 @@ final class JogPresenter {
 
   JogSize size() {
     return size;
+  }
+
+  private JogStep step() {
+    return size.step(form);
+  }
+
+  /** Steps are round numbers of other units from now on. */
+  void setForm(PoseForm other) {
+    form = other;
+  }
+
+  PoseForm form() {
+    return form;
   }
 }

@@ -63,7 +63,7 @@ final class MovePresenter {
     this.arm = arm;
     this.safety = safety;
     form = FormMemory.read(settings);
-    jog = new JogPresenter(new JogHold(submit, executor), settings, this::range);
+    jog = new JogPresenter(new JogHold(submit, executor), settings, form, this::range);
     freedrive =
         new FreedrivePresenter(
             new RepeatedCommand(submit, executor, new ManualCommand.EndFreedrive()));
@@ -183,6 +183,7 @@ final class MovePresenter {
   }
 
   private void follow(PoseForm other) {
+    jog.setForm(other);
     goals.setForm(other);
     tool.setForm(other);
     frame.setForm(other);

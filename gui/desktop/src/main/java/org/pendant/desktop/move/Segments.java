@@ -50,6 +50,15 @@ final class Segments<E extends Enum<E>> {
     return row;
   }
 
+  /** Says something else on the buttons from now on, and in their tips. */
+  void write(Function<E, String> title, Function<E, String> tip) {
+    buttons.forEach(
+        (each, button) -> {
+          button.setText(title.apply(each));
+          TitledCard.named(button, button.getName(), tip.apply(each));
+        });
+  }
+
   /** Shows what is chosen by other means. */
   void show(E chosen) {
     buttons.get(chosen).setSelected(true);

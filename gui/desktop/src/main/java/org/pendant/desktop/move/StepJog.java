@@ -32,19 +32,19 @@ final class StepJog {
    * @param tcpInBase where the TCP should be now
    */
   void move(
-      JogDirection direction, JogSize size, Pose axesInBase, Pose tcpInBase, double speedFraction) {
+      JogDirection direction, JogStep step, Pose axesInBase, Pose tcpInBase, double speedFraction) {
     Pose from =
         goal.isPresent() && goal.get() instanceof JogMove.StraightTo straight
             ? straight.tcpInBase()
             : tcpInBase;
-    go(new JogMove.StraightTo(Poses.add(step(direction, size, axesInBase), from)), speedFraction);
+    go(new JogMove.StraightTo(Poses.add(way(direction, step, axesInBase), from)), speedFraction);
   }
 
   /** What the TCP does, along the axes of the base. */
-  private static Pose step(JogDirection direction, JogSize size, Pose axesInBase) {
+  private static Pose way(JogDirection direction, JogStep step, Pose axesInBase) {
     Pose turn = new Pose(0, 0, 0, axesInBase.rx(), axesInBase.ry(), axesInBase.rz());
     boolean along = direction.kind() == JogDirection.Kind.ALONG;
-    double by = along ? size.lengthM() : size.angleRad();
+    double by = along ? step.lengthM() : step.angleRad();
     Pose way =
         Poses.trans(
             turn, new Pose(by * direction.x(), by * direction.y(), by * direction.z(), 0, 0, 0));
@@ -59,13 +59,13 @@ final class StepJog {
    * @param direction 1 or -1
    * @param positionRad where the joints should be now
    */
-  double after(int joint, int direction, JogSize size, Joints positionRad) {
-    return jointsFrom(positionRad).get(joint) + direction * size.angleRad();
+  double after(int joint, int direction, JogStep step, Joints positionRad) {
+    return jointsFrom(positionRad).get(joint) + direction * step.angleRad();
   }
 
   /** Turns a joint on. */
-  void turn(int joint, int direction, JogSize size, Joints positionRad, double speedFraction) {
-    double after = after(joint, direction, size, positionRad);
+  void turn(int joint, int direction, JogStep step, Joints positionRad, double speedFraction) {
+    double after = after(joint, direction, step, positionRad);
     go(new JogMove.ToJoints(jointsFrom(positionRad).with(joint, after)), speedFraction);
   }
 

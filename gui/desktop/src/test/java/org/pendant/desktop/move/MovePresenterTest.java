@@ -395,6 +395,33 @@ final class MovePresenterTest {
   }
 
   @Test
+  void stepsAreRoundNumbersOfTheUnitsThatPeopleRead() {
+    FormMemory.write(
+        settings, new PoseForm(DisplayUnit.INCH, DisplayUnit.RADIAN, RotationForm.ROLL_PITCH_YAW));
+    refresh(1);
+    presenter.jog().setSize(JogSize.MEDIUM);
+    presenter.jog().turn(0, 1);
+    presenter.jog().letGo();
+    refresh(100);
+    assertEquals(0.02, position().get(0), 1e-12);
+    double before = controller.state().arm().targetTcpInBase().z();
+    presenter.jog().move(JogDirection.along(0, 0, 1));
+    presenter.jog().letGo();
+    refresh(100);
+    assertEquals(before + 0.05 * 0.0254, controller.state().arm().targetTcpInBase().z(), 1e-6);
+  }
+
+  @Test
+  void sizesOfStepsHaveTwoNumbersWhereOneDoesNotStandForLengthsAndAngles() {
+    assertEquals("0.1", JogSize.FINE.title(PoseForm.STANDARD));
+    assertEquals(
+        "Move by 0.1 mm or turn by 0.1 deg at each press", JogSize.FINE.meaning(PoseForm.STANDARD));
+    PoseForm inches = new PoseForm(DisplayUnit.INCH, DisplayUnit.DEGREE, RotationForm.VECTOR);
+    assertEquals("0.5, 10", JogSize.COARSE.title(inches));
+    assertEquals("Move by 0.5 in or turn by 10 deg at each press", JogSize.COARSE.meaning(inches));
+  }
+
+  @Test
   void aStepAlongTheToolFollowsItsAxes() {
     refresh(1);
     Pose before = controller.state().arm().targetTcpInBase();
