@@ -1,5 +1,6 @@
 package org.pendant.text;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -46,6 +47,11 @@ public enum Language {
     return this != ENGLISH || title.isEmpty() || abbreviation
         ? title
         : title.substring(0, 1).toLowerCase(Locale.ROOT) + title.substring(1);
+  }
+
+  /** Words one after the other, with commas between. */
+  public String joined(List<String> words) {
+    return String.join(this == CHINESE ? "\uff0c" : ", ", words);
   }
 
   /** What is told of something, behind its name and a colon. */

@@ -41,6 +41,11 @@ public final class MessageTranslator {
     this.own = own;
   }
 
+  /** The language into which it translates. */
+  public Language language() {
+    return language;
+  }
+
   /** A message as people read it. */
   public String shown(String message) {
     // one that is too long to be looked at is too long to be remembered

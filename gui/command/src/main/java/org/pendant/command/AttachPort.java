@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Supplier;
 import org.pendant.command.service.RobotAccess;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.controller.Robot;
 import org.pendant.editors.dap.DebugAdapterConnection;
 import org.pendant.editors.dap.run.AttachableRobot;
@@ -18,6 +19,7 @@ import org.pendant.editors.dap.run.TargetRefusal;
 import org.pendant.editors.wire.LoopbackListener;
 import org.pendant.editors.wire.ProtocolLog;
 import org.pendant.language.source.Source;
+import org.pendant.text.Language;
 
 /** Attach port: where editors attach to a robot that others drive, to debug the programs on it. */
 final class AttachPort implements AutoCloseable, RobotAccess {
@@ -81,8 +83,9 @@ final class AttachPort implements AutoCloseable, RobotAccess {
         complaint -> console.complain(prefix + OPTION.name() + ": " + complaint));
   }
 
-  private static DebugTarget nothing(String program, List<String> options) throws TargetRefusal {
-    throw new TargetRefusal(text("nothingLaunched"));
+  private static DebugTarget nothing(String program, List<String> options, Language language)
+      throws TargetRefusal {
+    throw new TargetRefusal(CommandLanguage.spoken(language, () -> text("nothingLaunched")));
   }
 
   @Override

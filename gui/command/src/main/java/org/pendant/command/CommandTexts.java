@@ -1,11 +1,10 @@
 package org.pendant.command;
 
-import org.pendant.command.text.CommandLanguage;
-import org.pendant.text.Texts;
+import org.pendant.command.text.SpokenTexts;
 
 /** What this package says to people. */
 final class CommandTexts {
-  private static final Texts TEXTS = CommandLanguage.texts(CommandTexts.class);
+  private static final SpokenTexts TEXTS = new SpokenTexts(CommandTexts.class);
 
   private CommandTexts() {}
 

@@ -4,6 +4,7 @@ import static org.pendant.command.CommandTexts.text;
 
 import java.util.List;
 import java.util.Optional;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.editors.dap.run.DebugTarget;
 import org.pendant.editors.dap.run.DebugTargets;
 import org.pendant.editors.dap.run.TargetRefusal;
@@ -13,11 +14,20 @@ import org.pendant.testing.run.DebuggedTest;
 import org.pendant.testing.run.Goldens;
 import org.pendant.testing.run.TestPlan;
 import org.pendant.testing.run.TestRunner;
+import org.pendant.text.Language;
 
-/** Debugged programs: what an editor debugs, with the options of {@code pendant run}. */
+/**
+ * Debugged programs: what an editor debugs, with the options of {@code pendant run}. What is wrong
+ * is told in the language of the editor, whichever the command itself speaks.
+ */
 final class DebuggedPrograms implements DebugTargets {
   @Override
-  public DebugTarget target(String program, List<String> options) throws TargetRefusal {
+  public DebugTarget target(String program, List<String> options, Language language)
+      throws TargetRefusal {
+    return CommandLanguage.spoken(language, () -> target(program, options));
+  }
+
+  private static DebugTarget target(String program, List<String> options) throws TargetRefusal {
     try {
       Arguments arguments = Arguments.parse(RunOptions.OF_DEBUGGING, options);
       if (!arguments.operands().isEmpty()) {
@@ -46,7 +56,13 @@ final class DebuggedPrograms implements DebugTargets {
   }
 
   @Override
-  public DebugTarget test(String file, String test, List<String> options) throws TargetRefusal {
+  public DebugTarget test(String file, String test, List<String> options, Language language)
+      throws TargetRefusal {
+    return CommandLanguage.spoken(language, () -> test(file, test, options));
+  }
+
+  private static DebugTarget test(String file, String test, List<String> options)
+      throws TargetRefusal {
     try {
       Arguments arguments = Arguments.parse(TestOptions.ALL, options);
       if (!arguments.operands().isEmpty()) {

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.pendant.editors.dap.run.DebugTarget;
 import org.pendant.editors.dap.run.RunResult;
 import org.pendant.editors.dap.run.TargetRefusal;
+import org.pendant.text.Language;
 
 class DebuggedProgramsTest {
   @TempDir private Path folder;
@@ -24,15 +25,21 @@ class DebuggedProgramsTest {
   }
 
   private static String refusal(String program, String... options) {
+    return refusal(Language.ENGLISH, program, options);
+  }
+
+  private static String refusal(Language language, String program, String... options) {
     return assertThrows(
-            TargetRefusal.class, () -> new DebuggedPrograms().target(program, List.of(options)))
+            TargetRefusal.class,
+            () -> new DebuggedPrograms().target(program, List.of(options), language))
         .getMessage();
   }
 
   @Test
   void whatIsDebuggedHasTheOptionsOfRun() throws Exception {
     DebugTarget target =
-        new DebuggedPrograms().target(script(), List.of("--robot=ur3e", "--seed", "4"));
+        new DebuggedPrograms()
+            .target(script(), List.of("--robot=ur3e", "--seed", "4"), Language.ENGLISH);
     target.outside().run();
     assertEquals("ur3e", target.options().arm().id());
     assertFalse(target.generated());
@@ -42,6 +49,13 @@ class DebuggedProgramsTest {
   void whatMakesNoSenseIsRefusedInTheWordsOfTheCommandLine() throws Exception {
     assertEquals("nowhere.script: there is no such file", refusal("nowhere.script"));
     assertEquals("unknown option --sped, did you mean --speed?", refusal(script(), "--sped=1"));
+    assertEquals("args has extra, which is no option", refusal(script(), "extra"));
+  }
+
+  @Test
+  void whatMakesNoSenseIsRefusedInTheLanguageOfTheEditor() throws Exception {
+    assertEquals(
+        "args enthält extra, das ist keine Option", refusal(Language.GERMAN, script(), "extra"));
     assertEquals("args has extra, which is no option", refusal(script(), "extra"));
   }
 
@@ -59,14 +73,16 @@ class DebuggedProgramsTest {
         """);
     DebuggedPrograms programs = new DebuggedPrograms();
     DebugTarget target =
-        programs.test(file.toString(), "test_twice[3, 6]", List.of("--robot=ur3e"));
+        programs.test(
+            file.toString(), "test_twice[3, 6]", List.of("--robot=ur3e"), Language.ENGLISH);
     assertEquals("ur3e", target.options().arm().id());
     assertTrue(target.test().isPresent());
     assertEquals(file.toString(), target.source().orElseThrow().name());
     assertEquals(
         "there is no test test_half in " + file,
         assertThrows(
-                TargetRefusal.class, () -> programs.test(file.toString(), "test_half", List.of()))
+                TargetRefusal.class,
+                () -> programs.test(file.toString(), "test_half", List.of(), Language.ENGLISH))
             .getMessage());
   }
 

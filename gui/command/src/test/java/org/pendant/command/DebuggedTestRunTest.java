@@ -18,6 +18,7 @@ import org.pendant.editors.dap.run.RunListener;
 import org.pendant.editors.dap.run.RunResult;
 import org.pendant.script.debug.Debugger;
 import org.pendant.testing.run.DebuggedTest;
+import org.pendant.text.Language;
 
 /** Tests as the debug adapter runs them. */
 final class DebuggedTestRunTest {
@@ -77,7 +78,8 @@ final class DebuggedTestRunTest {
 
   private RobotRun start(String tests, String test, Kept kept, boolean held) throws Exception {
     Path file = Files.writeString(folder.resolve("a_test.script"), tests);
-    DebugTarget target = new DebuggedPrograms().test(file.toString(), test, List.of());
+    DebugTarget target =
+        new DebuggedPrograms().test(file.toString(), test, List.of(), Language.ENGLISH);
     DebuggedTest debugged = target.test().orElseThrow();
     RobotRun run = RobotRun.begin(debugged.controller(), target, kept, Runnable::run);
     assertEquals(Optional.empty(), run.start(debugged.program(), file.toString(), held).join());

@@ -20,6 +20,9 @@ public final class CommandLanguage {
 
   private static final MessageTranslator TRANSLATOR = new MessageTranslator(LANGUAGE);
 
+  /** For an editor, which speaks another language perhaps. */
+  private static final ScopedValue<MessageTranslator> EDITOR = ScopedValue.newInstance();
+
   private CommandLanguage() {}
 
   /** What the package of {@code owner} says. */
@@ -36,7 +39,18 @@ public final class CommandLanguage {
    * A message of others, such as why the controller has refused something: they all speak English.
    */
   public static String shown(String message) {
-    return TRANSLATOR.shown(message);
+    return (EDITOR.isBound() ? EDITOR.get() : TRANSLATOR).shown(message);
+  }
+
+  /** Does something for an editor: what this thread says meanwhile it says in its language. */
+  public static <R, X extends Throwable> R spoken(
+      Language language, ScopedValue.CallableOp<R, X> work) throws X {
+    return ScopedValue.where(EDITOR, new MessageTranslator(language)).call(work);
+  }
+
+  /** The language of the editor for which this thread does something now; empty for none. */
+  static Optional<Language> ofEditor() {
+    return EDITOR.isBound() ? Optional.of(EDITOR.get().language()) : Optional.empty();
   }
 
   /**

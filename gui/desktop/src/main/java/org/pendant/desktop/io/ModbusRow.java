@@ -59,6 +59,6 @@ record ModbusRow(
     String problem =
         ModbusErrors.of(
             new ModbusReading(signal.values(), signal.deviceError(), signal.connectionError()));
-    return !problem.isEmpty() ? problem : signal.valid() ? "OK" : text("noAnswerYet");
+    return !problem.isEmpty() ? problem : signal.valid() ? text("answered") : text("noAnswerYet");
   }
 }

@@ -4,6 +4,7 @@ import static org.pendant.desktop.log.LogTexts.text;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.pendant.kit.text.Messages;
 import org.pendant.text.Language;
 
 /**
@@ -30,7 +31,7 @@ record LogCounts(String messages, String matches) {
     if (presenter.missed() > 0) {
       parts.add(text("missed", number(presenter.missed())));
     }
-    return String.join(", ", parts);
+    return Messages.joined(parts);
   }
 
   private static String matches(LogPresenter presenter, int selectedRow) {

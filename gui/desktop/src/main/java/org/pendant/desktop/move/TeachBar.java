@@ -14,7 +14,7 @@ import org.pendant.kit.theme.Palette;
 @SuppressWarnings("serial") // never written to a stream
 final class TeachBar extends JPanel {
   private final JLabel text = new JLabel();
-  private final JButton accept = new JButton("OK");
+  private final JButton accept = new JButton(MoveTexts.text("ok"));
   private final JButton leave = new JButton(text("cancel"));
   private transient Runnable accepted = () -> {};
   private transient Runnable left = () -> {};

@@ -155,8 +155,8 @@ public final class ChartQuantities {
     String of = Messages.shown(group.substring(slash + 1));
     String component = Messages.shown(title);
     return top.equals(JOINTS)
-        ? of + ", " + language.withinSentence(component)
-        : Messages.shown(top) + " " + language.withinSentence(of) + ", " + component;
+        ? text("ofJoint", of, language.withinSentence(component))
+        : text("ofGroup", Messages.shown(top), language.withinSentence(of), component);
   }
 
   private static String hint(StateQuantity quantity) {

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import org.pendant.desktop.timeline.ClientMark;
+import org.pendant.kit.text.Messages;
 import org.pendant.protocols.net.Connection;
 import org.pendant.protocols.trace.LiveTrace;
 import org.pendant.protocols.trace.MessageCounts;
@@ -188,7 +189,7 @@ final class ClientsPresenter {
     if (lost > 0) {
       parts.add(text("leftOut", lost));
     }
-    return String.join(", ", parts);
+    return Messages.joined(parts);
   }
 
   private List<ClientRow> rows(long nowNs) {
@@ -241,7 +242,7 @@ final class ClientsPresenter {
     String fields = text(count == 1 ? "oneField" : "fieldCount", count);
     double rateHz = terms.rateHz();
     return rateHz == 0
-        ? fields + ", " + text("paused")
+        ? Messages.joined(List.of(fields, text("paused")))
         : String.format(Locale.ROOT, rateHz < 10 ? "%.1f Hz, " : "%.0f Hz, ", rateHz) + fields;
   }
 
@@ -253,6 +254,6 @@ final class ClientsPresenter {
     if (connection.dropped() > 0) {
       words.add(text("leftOut", connection.dropped()));
     }
-    return String.join(", ", words);
+    return Messages.joined(words);
   }
 }

@@ -134,7 +134,7 @@ final class TreeCell extends JLabel implements ListCellRenderer<TreeRow> {
         .ifPresent(
             problem ->
                 said.add(text(problem.blocks() ? "notComplete" : "warning", problem.message())));
-    return String.join(", ", said);
+    return Messages.joined(said);
   }
 
   @Override

@@ -5,6 +5,7 @@ import static org.pendant.desktop.program.ProgramViewTexts.text;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import org.pendant.kit.text.Messages;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
 
@@ -59,6 +60,7 @@ record TreeRow(ProgramNode node, int number, int depth, boolean off, boolean fol
 
   @Override
   public String toString() {
-    return number + " " + NodeLabels.shown(node.step()) + (off ? ", " + text("suppressed") : "");
+    String label = number + " " + NodeLabels.shown(node.step());
+    return off ? Messages.joined(List.of(label, text("suppressed"))) : label;
   }
 }

@@ -2,6 +2,7 @@ package org.pendant.desktop.tests;
 
 import static org.pendant.desktop.tests.TestsTexts.text;
 
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
@@ -51,14 +52,14 @@ final class TestWords {
   }
 
   private static String summary(SuiteResult result) {
-    StringJoiner words = new StringJoiner(", ");
+    List<String> words = new ArrayList<>();
     long red = result.results().stream().filter(each -> each.status().red()).count();
     add(words, red, "red");
     add(words, result.broken().size(), result.broken().size() == 1 ? "brokenFile" : "brokenFiles");
     words.add(text("passedCount", result.count(TestStatus.PASSED)));
     add(words, result.count(TestStatus.SKIPPED), "skippedCount");
     add(words, result.notRun(), "notRunCount");
-    return words.toString();
+    return Messages.joined(words);
   }
 
   /** What else is to be said of the last run; empty where there was none. */
@@ -69,7 +70,7 @@ final class TestWords {
         .orElse("");
   }
 
-  private static void add(StringJoiner words, long number, String key) {
+  private static void add(List<String> words, long number, String key) {
     if (number > 0) {
       words.add(text(key, number));
     }

@@ -22,6 +22,7 @@ import org.pendant.script.vm.LoadResult;
 import org.pendant.script.vm.Program;
 import org.pendant.script.vm.ProgramLoader;
 import org.pendant.testing.run.DebuggedTest;
+import org.pendant.text.Language;
 
 /** Launching: brings a program to its robot, and both to their end. */
 final class Launching {
@@ -93,11 +94,13 @@ final class Launching {
   }
 
   private Read read(LaunchArguments arguments) {
+    Language language = session.form().language().language();
     try {
       DebugTarget target =
           arguments.test().isPresent()
-              ? targets.test(arguments.program(), arguments.test().get(), arguments.options())
-              : targets.target(arguments.program(), arguments.options());
+              ? targets.test(
+                  arguments.program(), arguments.test().get(), arguments.options(), language)
+              : targets.target(arguments.program(), arguments.options(), language);
       if (target.test().isPresent()) {
         Program test = target.test().get().program();
         return new Read(target, new LoadResult(Optional.of(test), List.of()));

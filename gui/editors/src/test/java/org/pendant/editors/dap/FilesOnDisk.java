@@ -12,13 +12,15 @@ import org.pendant.editors.dap.run.DebugTarget;
 import org.pendant.editors.dap.run.DebugTargets;
 import org.pendant.editors.dap.run.TargetRefusal;
 import org.pendant.language.source.Source;
+import org.pendant.text.Language;
 
 /**
  * Programs for tests: scripts as they are in a folder; {@code --tree} takes one for that of a tree.
  */
 final class FilesOnDisk implements DebugTargets {
   @Override
-  public DebugTarget target(String program, List<String> options) throws TargetRefusal {
+  public DebugTarget target(String program, List<String> options, Language language)
+      throws TargetRefusal {
     if (options.contains("--robot=ur99")) {
       throw new TargetRefusal("--robot is ur99, did you mean ur5?");
     }

@@ -1,5 +1,6 @@
 package org.pendant.kit.text;
 
+import java.util.List;
 import org.pendant.text.Language;
 import org.pendant.text.MessageTranslator;
 
@@ -26,6 +27,11 @@ public final class Messages {
    */
   public static String shown(String message, String written) {
     return TRANSLATOR.shown(message, written);
+  }
+
+  /** Words one after the other, with commas between. */
+  public static String joined(List<String> words) {
+    return Language.ofProcess().joined(words);
   }
 
   /**

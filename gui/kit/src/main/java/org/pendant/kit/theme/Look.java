@@ -19,6 +19,7 @@ import javax.swing.InputMap;
 import javax.swing.KeyStroke;
 import javax.swing.UIManager;
 import org.pendant.kit.settings.Settings;
+import org.pendant.text.Language;
 
 /**
  * Look of the desktop: the current theme and scale, changed live. Only the dispatch thread calls
@@ -75,7 +76,10 @@ public final class Look {
     textFont.ifPresent(CompletableFuture::join);
     FlatLaf.setPreferredFontFamily(FlatInterFont.FAMILY);
     FlatLaf.setPreferredLightFontFamily(FlatInterFont.FAMILY_LIGHT);
-    FlatLaf.setPreferredSemiboldFontFamily(FlatInterFont.FAMILY_SEMIBOLD);
+    if (Language.ofProcess() != Language.CHINESE) {
+      // whose characters are from another font, which is bold where bold is asked for
+      FlatLaf.setPreferredSemiboldFontFamily(FlatInterFont.FAMILY_SEMIBOLD);
+    }
     FlatLaf.setPreferredMonospacedFontFamily(FlatJetBrainsMonoFont.FAMILY);
     apply();
     otherFonts.ifPresent(CompletableFuture::join);

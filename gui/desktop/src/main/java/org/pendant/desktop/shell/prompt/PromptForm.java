@@ -205,7 +205,7 @@ final class PromptForm {
     yes.setVisible(prompt.yesOrNo());
     go.setText(
         question
-            ? "OK"
+            ? PromptTexts.text("ok")
             : prompt.waits() ? PromptTexts.text("continue") : PromptTexts.text("close"));
     tip(
         go,
