@@ -57,8 +57,9 @@ public final class SteadyRate {
   }
 
   private static double pacePercent(OpenWindow window) {
-    String words = window.words("status-frames").strip();
-    return words.isEmpty() ? 100 : Double.parseDouble(words.replaceAll("[^0-9.]", ""));
+    return window.shows("status-frames")
+        ? Double.parseDouble(window.words("status-frames").replaceAll("[^0-9.]", ""))
+        : 100;
   }
 
   private static String program() {

@@ -50,7 +50,7 @@ public final class StatusLine extends JPanel {
   private final JButton whole = new JButton(ChromeTexts.text("more"));
   private final JButton earlier = new JButton("\u25b4");
   private final Consumer<String> showWhole;
-  private final JLabel punctual = new JLabel(" ");
+  private final JButton punctual = new JButton();
   private final Timer fading = Faults.timer(FADES_MS, () -> show(""));
   private final Deque<String> history = new ArrayDeque<>();
   private long frames;
@@ -59,6 +59,7 @@ public final class StatusLine extends JPanel {
   private Pace lastPace = Pace.REAL_TIME;
   private int calls;
   private String last = "";
+  private String explanation = "";
   private BooleanSupplier holds = () -> true;
   private Consumer<String> alsoTold = text -> {};
 
@@ -75,6 +76,10 @@ public final class StatusLine extends JPanel {
     told.getAccessibleContext().setAccessibleName(ChromeTexts.text("lastNotice"));
     punctual.setName("status-frames");
     punctual.getAccessibleContext().setAccessibleName(ChromeTexts.text("paceOfRobotTime"));
+    punctual.putClientProperty("JButton.buttonType", "toolBarButton");
+    punctual.putClientProperty("FlatLaf.style", "margin: 0,4,0,4");
+    punctual.setVisible(false);
+    punctual.addActionListener(event -> showWhole.accept(explanation));
     // Words about the pace take room from the notice.
     punctual.addPropertyChangeListener("text", event -> fit());
     whole.setName("status-more");
@@ -205,12 +210,20 @@ public final class StatusLine extends JPanel {
     // Frames are not due while a debugger holds them, nor right after that.
     boolean due = !held && !wasHeld && pace.equals(lastPace);
     punctual.setForeground(Palette.warning());
-    punctual.setText(due ? text(pace, lateness.frames() - frames, passedS) : " ");
-    punctual.setToolTipText(Markup.toolTip(explanation(lateness, behindS)));
+    showPace(
+        due ? text(pace, lateness.frames() - frames, passedS) : "", explanation(lateness, behindS));
     frames = lateness.frames();
     sinceNs = now;
     wasHeld = held;
     lastPace = pace;
+  }
+
+  /** Says how robot time keeps its pace; {@code behind} is what a click shows. */
+  void showPace(String words, String behind) {
+    explanation = behind;
+    punctual.setText(words);
+    punctual.setToolTipText(Markup.toolTip(behind));
+    punctual.setVisible(!words.isEmpty());
   }
 
   /** What is behind the words. */
@@ -226,11 +239,11 @@ public final class StatusLine extends JPanel {
   /** What is to say of so many frames in so much time: nothing while robot time keeps its pace. */
   static String text(Pace pace, long frames, double passedS) {
     if (!(pace instanceof Pace.Times(double factor)) || frames <= 0) {
-      return " ";
+      return "";
     }
     double share = frames * FrameTime.FRAME_S / (passedS * factor);
     if (share >= KEPT) {
-      return " ";
+      return "";
     }
     return String.format(
         Locale.ROOT,

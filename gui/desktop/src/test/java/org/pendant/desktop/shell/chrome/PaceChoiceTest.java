@@ -28,11 +28,11 @@ final class PaceChoiceTest {
 
   @Test
   void robotTimeThatKeepsItsPaceIsNotMentioned() {
-    assertEquals(" ", StatusLine.text(Pace.REAL_TIME, 1000, 2));
-    assertEquals(" ", StatusLine.text(Pace.REAL_TIME, 960, 2));
-    assertEquals(" ", StatusLine.text(new Pace.Times(0.5), 500, 2));
-    assertEquals(" ", StatusLine.text(new Pace.Unlimited(), 10, 2));
-    assertEquals(" ", StatusLine.text(Pace.REAL_TIME, -5, 2));
+    assertEquals("", StatusLine.text(Pace.REAL_TIME, 1000, 2));
+    assertEquals("", StatusLine.text(Pace.REAL_TIME, 960, 2));
+    assertEquals("", StatusLine.text(new Pace.Times(0.5), 500, 2));
+    assertEquals("", StatusLine.text(new Pace.Unlimited(), 10, 2));
+    assertEquals("", StatusLine.text(Pace.REAL_TIME, -5, 2));
   }
 
   @Test

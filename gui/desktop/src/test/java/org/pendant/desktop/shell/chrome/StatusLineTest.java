@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Stream;
 import javax.swing.JButton;
@@ -16,7 +18,8 @@ import org.pendant.kit.dispatch.OnDispatchThread;
 
 @OnDispatchThread
 final class StatusLineTest {
-  private final StatusLine line = new StatusLine(text -> {});
+  private final List<String> whole = new ArrayList<>();
+  private final StatusLine line = new StatusLine(whole::add);
 
   private String shown() {
     return ((JLabel) part("status-text")).getText().strip();
@@ -72,8 +75,20 @@ final class StatusLineTest {
     line.setSize(new JLabel(notice).getPreferredSize().width + 150, 30);
     line.tell(notice);
     assertFalse(part("status-more").isVisible());
-    ((JLabel) part("status-frames")).setText("robot time at 49 % of real time: computer busy");
+    line.showPace("robot time at 49 % of real time: computer busy", "The computer is busy");
     assertTrue(part("status-more").isVisible());
+  }
+
+  @Test
+  void aClickOnThePaceExplainsIt() {
+    JButton pace = (JButton) part("status-frames");
+    assertFalse(pace.isVisible());
+    line.showPace("robot time at 49 % of real time: computer busy", "The computer is busy");
+    assertTrue(pace.isVisible());
+    pace.doClick(0);
+    assertEquals(List.of("The computer is busy"), whole);
+    line.showPace("", "The computer is busy");
+    assertFalse(pace.isVisible());
   }
 
   @Test
