@@ -24,12 +24,7 @@ final class RunClock implements FrameListener {
       return;
     }
     before = now;
-    time =
-        switch (now) {
-          case RUNNING -> time.resumed(state.timeS());
-          case PAUSED -> time.paused(state.timeS());
-          case STOPPED -> time.ended(state.timeS());
-        };
+    time = time.changed(now, state.timeS());
   }
 
   /**

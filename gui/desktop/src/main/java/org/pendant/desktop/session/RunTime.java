@@ -1,5 +1,7 @@
 package org.pendant.desktop.session;
 
+import org.pendant.script.vm.ProgramState;
+
 /**
  * Run time: how long a program has run in robot time, apart from its pauses. Times are in seconds
  * since the controller was switched on.
@@ -28,8 +30,17 @@ public record RunTime(double beganS, double pausedS, double pauseBeganS, double 
     return new RunTime(beganS, pausedS(timeS), Double.NaN, Double.NaN);
   }
 
-  RunTime ended(double timeS) {
+  private RunTime ended(double timeS) {
     return new RunTime(beganS, pausedS(timeS), Double.NaN, timeS);
+  }
+
+  /** The same, whose program is in another state from {@code timeS} on. */
+  public RunTime changed(ProgramState now, double timeS) {
+    return switch (now) {
+      case RUNNING -> resumed(timeS);
+      case PAUSED -> paused(timeS);
+      case STOPPED -> ended(timeS);
+    };
   }
 
   /** Whether there is a run to tell of. */

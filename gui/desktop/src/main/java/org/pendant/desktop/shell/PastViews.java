@@ -34,6 +34,7 @@ import org.pendant.desktop.timeline.HeldView;
 import org.pendant.desktop.timeline.LookBack;
 import org.pendant.desktop.timeline.PastActions;
 import org.pendant.desktop.timeline.PastBanner;
+import org.pendant.desktop.timeline.PastRunTime;
 import org.pendant.desktop.timeline.PastSteps;
 import org.pendant.desktop.timeline.RecordedText;
 import org.pendant.desktop.timeline.TimelineView;
@@ -59,6 +60,7 @@ final class PastViews {
   private final Programs programs;
   private final ScriptEditor editor;
   private final LookBack lookBack;
+  private final PastRunTime runTime;
   private final ExplainedMoment explained;
   private final PastBanner banner;
   private final TimelineView timeline;
@@ -83,6 +85,7 @@ final class PastViews {
     this.programs = programs;
     this.editor = editor;
     lookBack = new LookBack(workbench.session()::recording, workbench::notify);
+    runTime = new PastRunTime(lookBack);
     explained = new ExplainedMoment(lookBack, this::explain, workbench::notify);
     banner = new PastBanner(lookBack, new RecordedText());
     timeline = new TimelineView(workbench, lookBack, this::chooseFile);
@@ -114,6 +117,7 @@ final class PastViews {
     public void switchedOn() {
       EventQueue.invokeLater(
           () -> {
+            runTime.forget();
             if (!lookBack.ofFile()) {
               lookBack.live();
             }
@@ -410,7 +414,7 @@ final class PastViews {
 
     @Override
     public RunTime time() {
-      return lookBack.back() ? RunTime.NONE : live.time();
+      return lookBack.back() ? runTime.time() : live.time();
     }
 
     @Override

@@ -44,6 +44,11 @@ final class RecordedRun {
     return this;
   }
 
+  RecordedRun resume() {
+    var _ = controller.submit(new ProgramCommand.ResumeProgram());
+    return this;
+  }
+
   /** Asks the debugger in the next frame. */
   RecordedRun ask(Consumer<Debugger> request) {
     var _ = controller.submit(new DebugCommand.Debug(request));
