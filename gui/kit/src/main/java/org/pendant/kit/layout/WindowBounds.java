@@ -5,6 +5,7 @@ import java.awt.GraphicsConfiguration;
 import java.awt.GraphicsDevice;
 import java.awt.GraphicsEnvironment;
 import java.awt.Insets;
+import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Toolkit;
 import java.util.List;
@@ -16,7 +17,7 @@ public final class WindowBounds {
   private static final int WIDTH = 1440;
   private static final int HEIGHT = 900;
 
-  /** How far a second window is from another one that is at the same place, pixels. */
+  /** How far windows that lie over one another are apart, pixels. */
   private static final int STEP = 40;
 
   /** A window that is narrower than this is of no use, pixels. */
@@ -76,7 +77,8 @@ public final class WindowBounds {
    *
    * @param first the bounds of the window that is there already
    * @param area what it holds, on the screen
-   * @param others windows that are there as well: none has the same corner
+   * @param others windows that are there as well: above or beside them, while there is room; else
+   *     it leaves their heads in sight
    * @param screens what of each screen can be used
    */
   public static Rectangle second(
@@ -99,14 +101,33 @@ public final class WindowBounds {
                         size.width,
                         size.height));
     Rectangle free = within(wanted, screens).orElse(wanted);
-    for (int i = 0; i < others.size() && hasCornerOf(free, others); i++) {
-      free.translate(0, -STEP);
-    }
-    return within(free, screens).orElse(free);
+    return Stream.of(new Point(0, 0), new Point(0, -1), new Point(-1, 0), new Point(-1, -1))
+        .map(each -> moved(free, each.x * free.width, each.y * free.height))
+        .filter(place -> screens.stream().anyMatch(screen -> screen.contains(place)))
+        .filter(place -> others.stream().noneMatch(place::intersects))
+        .findFirst()
+        .orElseGet(
+            () -> cascaded(new Rectangle(area.getLocation(), free.getSize()), others, screens));
   }
 
-  private static boolean hasCornerOf(Rectangle bounds, List<Rectangle> others) {
-    return others.stream().anyMatch(each -> each.getLocation().equals(bounds.getLocation()));
+  /** Below and to the right of others, whose heads it leaves in sight. */
+  private static Rectangle cascaded(
+      Rectangle from, List<Rectangle> others, List<Rectangle> screens) {
+    Rectangle place = from;
+    for (int i = 0; i < others.size() && nearOneOf(others, place); i++) {
+      place = moved(place, STEP, STEP);
+    }
+    return within(place, screens).orElse(place);
+  }
+
+  private static Rectangle moved(Rectangle from, int x, int y) {
+    return new Rectangle(from.x + x, from.y + y, from.width, from.height);
+  }
+
+  /** Frames of windows may shift them a little. */
+  private static boolean nearOneOf(List<Rectangle> others, Rectangle place) {
+    return others.stream()
+        .anyMatch(each -> each.getLocation().distance(place.getLocation()) < STEP);
   }
 
   private static Optional<Rectangle> beside(

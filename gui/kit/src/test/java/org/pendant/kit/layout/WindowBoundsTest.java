@@ -1,9 +1,11 @@
 package org.pendant.kit.layout;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Dimension;
 import java.awt.Rectangle;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -79,13 +81,29 @@ final class WindowBoundsTest {
   }
 
   @Test
-  void noTwoWindowsOpenAtTheSameCorner() {
+  void furtherWindowsCoverNoneOfTheOthersWhileThereIsRoom() {
     List<Rectangle> screen = List.of(new Rectangle(0, 0, 1600, 1000));
     Rectangle first = new Rectangle(0, 0, 1440, 900);
-    Rectangle second = second(first, List.of(), screen);
-    Rectangle third = second(first, List.of(second), screen);
-    assertEquals(new Rectangle(940, 410, 500, 400), third);
-    assertEquals(new Rectangle(940, 370, 500, 400), second(first, List.of(third, second), screen));
+    List<Rectangle> others = new ArrayList<>();
+    for (int i = 0; i < 4; i++) {
+      Rectangle next = second(first, others, screen);
+      assertTrue(screen.getFirst().contains(next), next::toString);
+      assertTrue(others.stream().noneMatch(next::intersects), () -> next + " over " + others);
+      others.add(next);
+    }
+  }
+
+  @Test
+  void thenTheyLeaveTheHeadsOfTheOthersInSight() {
+    List<Rectangle> screen = List.of(new Rectangle(0, 0, 1024, 700));
+    Rectangle first = new Rectangle(0, 0, 1024, 700);
+    // the frame of a window has shifted it
+    List<Rectangle> others =
+        List.of(
+            new Rectangle(524, 250, 500, 400),
+            new Rectangle(300, 120, 500, 400),
+            new Rectangle(1, 105, 500, 400));
+    assertEquals(new Rectangle(40, 140, 500, 400), second(first, others, screen));
   }
 
   @Test
