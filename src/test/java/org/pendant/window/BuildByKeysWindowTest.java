@@ -133,7 +133,7 @@ final class BuildByKeysWindowTest {
   private void run() {
     window.press("F5");
     window.perform("Show Run");
-    window.awaitWords("run-joints-Base", "20.00");
+    window.awaitWords("run-joints-base", "20.00");
     window.awaitWords("program-state", "stopped");
     window.perform("Show Program");
     window.awaitWords(TREE, "% of the cycle");

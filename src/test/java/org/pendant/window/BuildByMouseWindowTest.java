@@ -25,7 +25,7 @@ final class BuildByMouseWindowTest {
 
   @Test
   void pickAndPlaceIsBuiltTaughtAndRun() {
-    String start = window.words("run-joints-Base");
+    String start = window.words("run-joints-base");
     window.click("rail-program");
     window.click("program-empty-file-new");
     window.clickRow(TREE, "Robot Program");
@@ -132,12 +132,12 @@ final class BuildByMouseWindowTest {
           window.awaitTime(2);
           window.release();
           window.click("rail-run");
-          return window.words("run-joints-Base").equals(start);
+          return window.words("run-joints-base").equals(start);
         });
   }
 
   private double baseDeg() {
-    return Double.parseDouble(window.words("run-joints-Base").replace("\u00b0", ""));
+    return Double.parseDouble(window.words("run-joints-base").replace("\u00b0", ""));
   }
 
   private void runWhatWasBuilt(String start, double placeDeg) {
@@ -156,7 +156,7 @@ final class BuildByMouseWindowTest {
     window.await("the gripper opens", () -> !window.selected("digital-out-3"));
     window.click("rail-run");
     window.awaitWords("program-state", "stopped");
-    window.awaitWords("run-joints-Base", start);
+    window.awaitWords("run-joints-base", start);
     window.click("rail-log");
     window.awaitShown("log-table");
     assertEquals(

@@ -22,7 +22,7 @@ final class ProgramWindowTest {
     sharedWindow.program(
         "movej([0.3, -1.5, -1.5, -1.5, 1.5, 0], a=5, v=3)", "textmsg(\"arrived\")");
     window.press("F5");
-    window.awaitWords("run-joints-Base", "17.19");
+    window.awaitWords("run-joints-base", "17.19");
     window.awaitWords("program-state", "stopped");
     window.click("rail-log");
     window.awaitWords("log-table", "arrived");
@@ -130,7 +130,7 @@ final class ProgramWindowTest {
         "movej([0.3, -1.5, -1.5, -1.5, 1.5, 0], a=5, v=3)",
         "movej([-0.3, -1.5, -1.5, -1.5, 1.5, 0], a=5, v=3)");
     window.press("F5");
-    window.awaitWords("run-joints-Base", "-17.19");
+    window.awaitWords("run-joints-base", "-17.19");
     window.awaitWords("program-state", "stopped");
     window.perform("Timeline: to the worst moment before");
     window.perform("Show Motion");
@@ -143,7 +143,7 @@ final class ProgramWindowTest {
   void theLastRunIsComparedWithVariantsOfIt() {
     sharedWindow.program("movej([0.3, -1.5, -1.5, -1.5, 1.5, 0], a=5, v=3)", "sleep(0.1)");
     window.press("F5");
-    window.awaitWords("run-joints-Base", "17.19");
+    window.awaitWords("run-joints-base", "17.19");
     window.awaitWords("program-state", "stopped");
     window.perform("Show What if");
     window.clickCell("whatif-table", "50 %");

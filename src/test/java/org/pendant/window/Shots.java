@@ -77,7 +77,7 @@ final class Shots {
     window.press("F5");
     window.awaitWords("run-messages", "trying all the same");
     window.await(
-        "the arm is on its way", () -> !window.words("run-joints-Base").equals("0.00\u00b0"));
+        "the arm is on its way", () -> !window.words("run-joints-base").equals("0.00\u00b0"));
     window.press("F6");
     window.awaitWords("program-state", "paused");
     for (String screen : SCREENS) {

@@ -111,7 +111,7 @@ final class StartWindowTest {
     window.awaitWords("start-choice", "The arm moves to Pick");
     window.awaitWords("run-messages", "picked");
     window.awaitHidden("start-choice");
-    window.awaitWords("run-joints-Base", "34.38");
+    window.awaitWords("run-joints-base", "34.38");
     window.awaitWords("program-state", "stopped");
 
     // It is there now.

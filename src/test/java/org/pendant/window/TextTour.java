@@ -6,6 +6,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.pendant.text.Language;
 
@@ -23,6 +25,9 @@ final class TextTour {
   /** What is cut, with the place where it was met first, by what does not change with numbers. */
   private final Map<String, String> cut = new LinkedHashMap<>();
 
+  /** Names of the cards that were seen. */
+  private final Set<String> cards = new TreeSet<>();
+
   private TextTour(OpenWindow window, Path folder) {
     this.window = window;
     this.folder = folder;
@@ -31,9 +36,9 @@ final class TextTour {
   /**
    * What there is to know after a tour.
    *
-   * @param items names of what the menus have
+   * @param names of what the menus have, and of the cards that were seen
    */
-  record Report(List<String> cut, String lookedAt, List<String> items) {}
+  record Report(List<String> cut, String lookedAt, List<String> names) {}
 
   /** What is gone through. */
   enum Part {
@@ -87,7 +92,9 @@ final class TextTour {
       TextTour tour = new TextTour(window, folder);
       part.steps.of(tour);
       lines.addAll(tour.cut.values());
-      return new Report(lines, window.lookedAtTexts(), window.items());
+      List<String> names = new ArrayList<>(window.items());
+      names.addAll(tour.cards);
+      return new Report(lines, window.lookedAtTexts(), names);
     }
   }
 
@@ -188,6 +195,7 @@ final class TextTour {
           return found.isEmpty() || looks.incrementAndGet() >= SURE;
         });
     found.forEach((each, text) -> cut.putIfAbsent(each, where + ": " + text));
+    cards.addAll(window.named("card-"));
   }
 
   /** What one look finds, by what does not change with numbers. */

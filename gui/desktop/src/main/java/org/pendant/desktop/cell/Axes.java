@@ -20,6 +20,7 @@ final class Axes {
    */
   static <T> void addTo(
       PartsForm<T> form,
+      String name,
       String label,
       Measure unit,
       Function<T, Vector3> get,
@@ -27,6 +28,7 @@ final class Axes {
     for (int i = 0; i < NAMES.size(); i++) {
       int axis = i;
       form.numberRow(
+          (name + " " + NAMES.get(i)).strip(),
           (label + " " + NAMES.get(i)).strip(),
           unit,
           now -> component(get.apply(now), axis),

@@ -93,6 +93,7 @@ final class CompoundRows {
     form.buttons(add, remove);
     form.naming("part-");
     form.text(
+        "part-name",
         text("partName"),
         object -> part(object).name(),
         (object, name) -> with(object, ObjectShape.named(part(object), name.strip())));
@@ -104,6 +105,7 @@ final class CompoundRows {
             () -> text("inItsFrame"))
         .add();
     form.check(
+        "parts-weigh-differently",
         text("partsWeighDifferently"),
         text("whetherEachPartHasAMass"),
         object -> object instanceof SceneObject.Compound all && weighsByParts(all),
@@ -112,6 +114,7 @@ final class CompoundRows {
         object -> object instanceof SceneObject.Compound all && weighsByParts(all),
         () ->
             form.numberRow(
+                "part-mass",
                 text("partMass"),
                 Measure.KILOGRAM,
                 object -> part(object).massKg(),

@@ -94,7 +94,7 @@ final class DeviceForm {
     this.measures = measures;
     this.rotation = rotation;
     this.signalName = signalName;
-    form.text(text("name"), DeviceText::name, (device, name) -> device.named(name.strip()));
+    form.text("name", text("name"), DeviceText::name, (device, name) -> device.named(name.strip()));
   }
 
   /** Has rows for the kinds of these devices: made when the first one of a kind is there. */
@@ -175,6 +175,7 @@ final class DeviceForm {
     switch (field) {
       case DeviceField.Flag flag ->
           form.check(
+              flag.title(),
               Messages.shown(flag.title()),
               Messages.told(Messages.shown(flag.title()), Messages.shown(flag.help())),
               device -> part.get.apply(device).flag(flag.key(), flag.standing()),
@@ -183,22 +184,13 @@ final class DeviceForm {
       case DeviceField.Amount amount -> addAmount(amount, part);
       case DeviceField.Wire wire -> addWire(wire, part);
       case DeviceField.Place place ->
-          addAxes(
-              Messages.shown(place.title()),
-              Messages.shown(place.help()),
-              place.key(),
-              place.range(),
-              part);
+          addAxes(place.title(), place.help(), place.key(), place.range(), part);
       case DeviceField.Direction way ->
-          addAxes(
-              Messages.shown(way.title()),
-              Messages.shown(way.help()),
-              way.key(),
-              way.range(),
-              part);
+          addAxes(way.title(), way.help(), way.key(), way.range(), part);
       case DeviceField.Choice choice -> addChoice(choice, part);
       case DeviceField.Words words ->
           form.text(
+              words.title(),
               Messages.shown(words.title()),
               Messages.told(Messages.shown(words.title()), Messages.shown(words.help())),
               "",
@@ -207,6 +199,7 @@ final class DeviceForm {
                   part.change(device, text -> text.withText(words.key(), typed.strip())));
       case DeviceField.Values values ->
           form.text(
+              values.title(),
               Messages.shown(values.title()),
               text(
                   "valuesSuchAs",
@@ -218,6 +211,7 @@ final class DeviceForm {
               (device, typed) -> part.change(device, text -> text.withValues(values.key(), typed)));
       case DeviceField.Subject subject ->
           form.choice(
+              subject.title(),
               Messages.shown(subject.title()),
               Messages.told(Messages.shown(subject.title()), Messages.shown(subject.help())),
               device -> subjects(subject, scene.get()),
@@ -226,6 +220,7 @@ final class DeviceForm {
               (device, name) -> part.change(device, text -> text.withText(subject.key(), name)));
       case DeviceField.Subjects subjects ->
           form.text(
+              subjects.title(),
               Messages.shown(subjects.title()),
               text(
                   "withCommasBetween",
@@ -247,11 +242,13 @@ final class DeviceForm {
   }
 
   private void addAxes(String title, String help, String key, Range range, Part part) {
-    form.heading(() -> text("axesInFrame", title, help, frame.get()));
+    String shown = Messages.shown(title);
+    form.heading(() -> text("axesInFrame", shown, Messages.shown(help), frame.get()));
     Measure usual = measure(range);
     Axes.addTo(
         form,
         title,
+        shown,
         usual,
         device -> part.get.apply(device).place(key),
         (device, at) -> {
@@ -265,6 +262,7 @@ final class DeviceForm {
   /** A row for the way, and the fields of each that are there while it is chosen. */
   private void addChoice(DeviceField.Choice choice, Part part) {
     form.choice(
+        choice.title(),
         Messages.shown(choice.title()),
         Messages.told(Messages.shown(choice.title()), Messages.shown(choice.help())),
         device -> choice.ways(),
@@ -316,6 +314,7 @@ final class DeviceForm {
 
   private void addSpot(DeviceField.Spot spot, Part part) {
     form.check(
+        spot.without(),
         Messages.shown(spot.without()),
         Messages.told(Messages.shown(spot.title()), Messages.shown(spot.help())),
         device -> part.get.apply(device).pose(spot.key()).isEmpty(),
@@ -340,6 +339,7 @@ final class DeviceForm {
   private void addAmount(DeviceField.Amount amount, Part part) {
     Measure usual = measure(amount.range());
     form.optionalNumber(
+        amount.title(),
         Messages.shown(amount.title()),
         () -> hint(amount, measures.of(usual)),
         usual,
@@ -399,6 +399,7 @@ final class DeviceForm {
 
   private void addWire(DeviceField.Wire wire, Part part) {
     form.choice(
+        wire.title(),
         Messages.shown(wire.title()),
         Messages.told(Messages.shown(wire.title()), Messages.shown(wire.help())),
         device -> withOthers(wire, others.get(), device.name()),

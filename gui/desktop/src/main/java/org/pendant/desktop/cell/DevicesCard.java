@@ -4,8 +4,8 @@ import static org.pendant.desktop.cell.CellTexts.text;
 
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -26,7 +26,7 @@ import org.pendant.kit.text.Messages;
 /** Devices card: grippers, doors and sensors of the cell, and a form for the chosen one. */
 final class DevicesCard {
   private final SceneDraft draft;
-  private final TitledCard card = new TitledCard(text("devices"), "[grow, fill]");
+  private final TitledCard card = new TitledCard("devices", text("devices"), "[grow, fill]");
   private final Items<DeviceText> items;
   private final DeviceForm form;
 
@@ -53,10 +53,14 @@ final class DevicesCard {
             text("noneGrippersDoorsAndSensorsAnswer"),
             new Drafted(),
             this::words);
-    Map<String, Supplier<DeviceText>> kinds = new LinkedHashMap<>();
+    List<Items.Kind<DeviceText>> kinds = new ArrayList<>();
     for (DeviceKind kind : DeviceKind.ALL) {
-      kinds.put(
-          Messages.shown(kind.title()), () -> DeviceForm.fresh(kind, devices(), draft.scene()));
+      kinds.add(
+          new Items.Kind<>(
+              // in English, whichever language it is shown in
+              kind.title().toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "-"),
+              Messages.shown(kind.title()),
+              () -> DeviceForm.fresh(kind, devices(), draft.scene())));
     }
     items.adders(text("add"), kinds);
     form =

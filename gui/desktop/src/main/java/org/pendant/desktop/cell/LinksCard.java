@@ -12,7 +12,8 @@ import org.pendant.kit.layout.TitledCard;
 /** Links card: whether links of the arm stop at what they get into. */
 final class LinksCard {
   private final SceneDraft draft;
-  private final TitledCard card = new TitledCard(text("linksOfTheArm"), "[grow, fill]");
+  private final TitledCard card =
+      new TitledCard("links-of-the-arm", text("linksOfTheArm"), "[grow, fill]");
   private final PartsForm<Scene> form;
 
   LinksCard(SceneDraft draft) {
@@ -23,6 +24,7 @@ final class LinksCard {
             next -> SceneRefusal.of(() -> next, draft, draft.equipment()),
             draft::set);
     form.check(
+        "stop-at-what-they-hit",
         text("stopAtWhatTheyHit"),
         scene -> scene.links() == LinkContact.STOP,
         (scene, stop) -> scene.withLinks(stop ? LinkContact.STOP : LinkContact.PASS));

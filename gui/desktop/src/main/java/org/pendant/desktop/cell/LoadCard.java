@@ -17,7 +17,8 @@ import org.pendant.models.pose.Wrench;
 /** Load card: what truly hangs on the flange, and what pushes the tool. */
 final class LoadCard {
   private final SceneDraft draft;
-  private final TitledCard card = new TitledCard(text("onTheFlange"), "[grow, fill]");
+  private final TitledCard card =
+      new TitledCard("on-the-flange", text("onTheFlange"), "[grow, fill]");
   private final PartsForm<Scene> form;
 
   /**
@@ -30,6 +31,7 @@ final class LoadCard {
             .in(measures)
             .telling(why -> ShownRange.of(why, measures));
     form.check(
+        "a-load-hangs-there",
         text("aLoadHangsThere"),
         now -> now.load().isPresent(),
         (scene, on) -> with(scene, on ? Optional.of(Payload.of(1, 0, 0, 0)) : Optional.empty()));
@@ -37,6 +39,7 @@ final class LoadCard {
         now -> now.load().isPresent(),
         () -> {
           form.numberRow(
+              "mass",
               text("mass"),
               Measure.KILOGRAM,
               now -> load(now).massKg(),
@@ -44,6 +47,7 @@ final class LoadCard {
           form.heading(text("centreOfGravityInTheFlange"));
           Axes.addTo(
               form,
+              "centre",
               text("centre"),
               Measure.MILLIMETRE,
               LoadCard::cogM,
@@ -52,6 +56,7 @@ final class LoadCard {
     form.heading(text("whatPushesTheToolAlongThe"));
     Axes.addTo(
         form,
+        "force",
         text("force"),
         Measure.NEWTON,
         now -> new Vector3(push(now).fx(), push(now).fy(), push(now).fz()),
@@ -67,6 +72,7 @@ final class LoadCard {
                     push(scene).mz())));
     Axes.addTo(
         form,
+        "torque",
         text("torque"),
         Measure.NEWTON_METRE,
         now -> new Vector3(push(now).mx(), push(now).my(), push(now).mz()),

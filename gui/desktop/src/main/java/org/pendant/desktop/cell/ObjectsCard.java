@@ -34,7 +34,7 @@ final class ObjectsCard {
   private static final Vector3 UP = new Vector3(0, 0, 1);
 
   private final SceneDraft draft;
-  private final TitledCard card = new TitledCard(text("objects"), "[grow, fill]");
+  private final TitledCard card = new TitledCard("objects", text("objects"), "[grow, fill]");
   private final Drafted drafted = new Drafted();
   private final Items<SceneObject> items;
 
@@ -55,11 +55,13 @@ final class ObjectsCard {
             drafted,
             each -> each.name() + "  (" + ObjectShape.words(each) + ")");
     items.adder(
+        "add-plane",
         text("addPlane"),
         () ->
             new SceneObject.Plane(
                 items.freshName("Plane"), new Vector3(0, 0, 0), UP, Material.DEFAULT));
     items.adder(
+        "add-box",
         text("addBox"),
         () ->
             new SceneObject.Box(
@@ -68,6 +70,7 @@ final class ObjectsCard {
                 new Vector3(0.1, 0.1, 0.1),
                 Material.DEFAULT));
     items.adder(
+        "add-ball",
         text("addBall"),
         () ->
             new SceneObject.Sphere(
@@ -76,6 +79,7 @@ final class ObjectsCard {
                 0.05,
                 Material.DEFAULT));
     items.adder(
+        "add-cylinder",
         text("addCylinder"),
         () ->
             new SceneObject.Rod(
@@ -87,6 +91,7 @@ final class ObjectsCard {
                 Material.DEFAULT,
                 0));
     items.adder(
+        "add-compound",
         text("addCompound"),
         () ->
             new SceneObject.Compound(
@@ -96,6 +101,7 @@ final class ObjectsCard {
                 Material.DEFAULT,
                 0));
     items.asker(
+        "add-mesh",
         text("addMeshItem"),
         take ->
             MeshDialog.show(
@@ -113,7 +119,10 @@ final class ObjectsCard {
     PartsForm<SceneObject> form =
         items.form().in(measures).telling(why -> ShownRange.of(why, measures));
     form.text(
-        text("name"), SceneObject::name, (object, name) -> ObjectShape.named(object, name.strip()));
+        "name",
+        text("name"),
+        SceneObject::name,
+        (object, name) -> ObjectShape.named(object, name.strip()));
     new ShapeRows(form, rotation, ShapeRows.Part.WHOLE, "", this::frame).add();
     form.section(SceneObject.Plane.class::isInstance, () -> addPlane(form));
     form.section(
@@ -123,7 +132,7 @@ final class ObjectsCard {
         ObjectsCard::weighsAsOne,
         () -> {
           form.numberRow(
-              text("mass"), Measure.KILOGRAM, SceneObject::massKg, ObjectShape::weighing);
+              "mass", text("mass"), Measure.KILOGRAM, SceneObject::massKg, ObjectShape::weighing);
           form.note(text("withAMassItFallsSlides"));
         });
     JButton here = new JButton(text("putAtTcp"));
@@ -185,10 +194,12 @@ final class ObjectsCard {
 
   private void addPlane(PartsForm<SceneObject> form) {
     form.heading(() -> text("aPointOfIt", frame()));
-    Axes.addTo(form, text("point"), Measure.MILLIMETRE, ObjectShape::placeM, ObjectShape::at);
+    Axes.addTo(
+        form, "point", text("point"), Measure.MILLIMETRE, ObjectShape::placeM, ObjectShape::at);
     form.heading(text("directionOutOfTheSolid"));
     Axes.addTo(
         form,
+        "normal",
         text("normal"),
         Measure.PLAIN,
         object -> object instanceof SceneObject.Plane plane ? plane.normalInBase() : UP,
@@ -202,6 +213,7 @@ final class ObjectsCard {
   private static void addMaterial(PartsForm<SceneObject> form) {
     form.heading(text("surface"));
     form.numberRow(
+        "stiffness",
         text("stiffness"),
         Measure.NEWTON_PER_METRE,
         object -> object.material().stiffnessNPerM(),
@@ -212,6 +224,7 @@ final class ObjectsCard {
               new Material(stiffness, now.dampingSPerM(), now.friction(), now.restitution()));
         });
     form.numberRow(
+        "damping",
         text("damping"),
         Measure.SECOND_PER_METRE,
         object -> object.material().dampingSPerM(),
@@ -222,6 +235,7 @@ final class ObjectsCard {
               new Material(now.stiffnessNPerM(), damping, now.friction(), now.restitution()));
         });
     form.numberRow(
+        "friction",
         text("friction"),
         Measure.PLAIN,
         object -> object.material().friction(),
@@ -232,6 +246,7 @@ final class ObjectsCard {
               new Material(now.stiffnessNPerM(), now.dampingSPerM(), friction, now.restitution()));
         });
     form.numberRow(
+        "restitution",
         text("restitution"),
         Measure.PLAIN,
         object -> object.material().restitution(),

@@ -29,7 +29,7 @@ final class RulesCard {
   private static final int ROWS = 8;
 
   private final SceneDraft draft;
-  private final TitledCard card = new TitledCard(text("rules"), "[grow, fill]");
+  private final TitledCard card = new TitledCard("rules", text("rules"), "[grow, fill]");
   private final JTextArea area = new JTextArea(ROWS, 30);
   private final Remark problem = new Remark("cell-rules-problem", Palette::error);
   private ProgramDocument document;

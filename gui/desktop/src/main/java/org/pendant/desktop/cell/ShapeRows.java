@@ -71,6 +71,7 @@ record ShapeRows(
     form.heading(text("lengthsAlongItsOwnAxes"));
     Axes.addTo(
         form,
+        "length",
         text("length"),
         Measure.MILLIMETRE,
         object -> part.get.apply(object) instanceof SceneObject.Box box ? box.sizeM() : UNIT,
@@ -88,11 +89,13 @@ record ShapeRows(
     form.heading(() -> text("centreIn", frame.get()));
     Axes.addTo(
         form,
+        "centre",
         text("centre"),
         Measure.MILLIMETRE,
         object -> ObjectShape.placeM(part.get.apply(object)),
         (object, at) -> part.change(object, solid -> ObjectShape.at(solid, at)));
     form.numberRow(
+        "radius",
         text("radius"),
         Measure.MILLIMETRE,
         object -> part.get.apply(object) instanceof SceneObject.Sphere ball ? ball.radiusM() : 1,
@@ -114,6 +117,7 @@ record ShapeRows(
     addPose(text("centre"));
     form.heading(text("alongItsOwnZ"));
     form.numberRow(
+        "radius",
         text("radius"),
         Measure.MILLIMETRE,
         object -> part.get.apply(object) instanceof SceneObject.Rod rod ? rod.radiusM() : 1,
@@ -125,6 +129,7 @@ record ShapeRows(
                         ? sized(rod, radiusM, rod.lengthM())
                         : solid));
     form.numberRow(
+        "length",
         text("length"),
         Measure.MILLIMETRE,
         object -> part.get.apply(object) instanceof SceneObject.Rod rod ? rod.lengthM() : 1,

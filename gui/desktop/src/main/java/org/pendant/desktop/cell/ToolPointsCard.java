@@ -19,7 +19,9 @@ import org.pendant.kit.layout.TitledCard;
 final class ToolPointsCard {
   private final SceneDraft draft;
   private final Measures measures;
-  private final TitledCard card = new TitledCard(text("pointsOfTheToolThatTouch"), "[grow, fill]");
+  private final TitledCard card =
+      new TitledCard(
+          "points-of-the-tool-that-touch", text("pointsOfTheToolThatTouch"), "[grow, fill]");
   private final Items<ToolPoint> items;
 
   /**
@@ -35,17 +37,19 @@ final class ToolPointsCard {
             text("noneTheActiveTcpTouchesThings"),
             new Drafted(),
             this::words);
-    items.adder(text("addPoint"), () -> new ToolPoint(new Vector3(0, 0, 0.1), 0));
+    items.adder("add-point", text("addPoint"), () -> new ToolPoint(new Vector3(0, 0, 0.1), 0));
     PartsForm<ToolPoint> form =
         items.form().in(measures).telling(why -> ShownRange.of(why, measures));
     form.heading(text("whereItIsInTheFlange"));
     Axes.addTo(
         form,
         "",
+        "",
         Measure.MILLIMETRE,
         ToolPoint::pointInFlangeM,
         (point, placeM) -> new ToolPoint(placeM, point.radiusM()));
     form.numberRow(
+        "radius",
         text("radius"),
         Measure.MILLIMETRE,
         ToolPoint::radiusM,

@@ -1,6 +1,6 @@
 package org.pendant.desktop.editor;
 
-import java.util.Map;
+import java.util.List;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -22,26 +22,32 @@ final class NoticeBar extends JPanel {
   }
 
   /**
+   * An answer.
+   *
+   * @param word with which the name of its button ends
+   */
+  record Answer(String word, String text, Runnable run) {}
+
+  /**
    * Asks. Every answer takes the bar away.
    *
    * @param answers what the buttons say and do, in this order; the first is the usual one
    */
-  void ask(String question, Map<String, Runnable> answers) {
+  void ask(String question, List<Answer> answers) {
     removeAll();
     JLabel label = new JLabel("<html>" + Markup.escaped(question));
     add(label, "growx, pushx, wmin 0");
-    answers.forEach(
-        (title, answer) -> {
-          JButton button = new JButton(title);
-          button.setName("notice-" + title.toLowerCase(java.util.Locale.ROOT).replace(' ', '-'));
-          button.setToolTipText(title);
-          button.addActionListener(
-              event -> {
-                close();
-                answer.run();
-              });
-          add(button);
-        });
+    for (Answer answer : answers) {
+      JButton button = new JButton(answer.text());
+      button.setName("notice-" + answer.word());
+      button.setToolTipText(answer.text());
+      button.addActionListener(
+          event -> {
+            close();
+            answer.run().run();
+          });
+      add(button);
+    }
     setVisible(true);
     revalidate();
     getComponent(1).requestFocusInWindow();

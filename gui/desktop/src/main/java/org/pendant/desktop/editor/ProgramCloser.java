@@ -4,9 +4,9 @@ import static org.pendant.desktop.editor.EditorTexts.text;
 
 import java.awt.EventQueue;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
-import java.util.LinkedHashMap;
-import java.util.Map;
+import java.util.List;
 import java.util.function.Supplier;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
@@ -41,14 +41,20 @@ final class ProgramCloser {
       return;
     }
     programs.select(program);
-    Map<String, Runnable> answers = new LinkedHashMap<>();
+    List<NoticeBar.Answer> answers = new ArrayList<>();
     if (program.file().isPresent()) {
-      answers.put(text("saveAndClose"), () -> saveAndClose(program));
+      answers.add(
+          new NoticeBar.Answer(
+              "save-and-close", text("saveAndClose"), () -> saveAndClose(program)));
     } else {
-      answers.put(text("save"), () -> workbench.actions().run(SAVE));
+      answers.add(new NoticeBar.Answer("save", text("save"), () -> workbench.actions().run(SAVE)));
     }
-    answers.put(text("closeWithoutSaving"), () -> closeNow(program));
-    answers.put(text("keepOpen"), () -> editor.area().requestFocusInWindow());
+    answers.add(
+        new NoticeBar.Answer(
+            "close-without-saving", text("closeWithoutSaving"), () -> closeNow(program)));
+    answers.add(
+        new NoticeBar.Answer(
+            "keep-open", text("keepOpen"), () -> editor.area().requestFocusInWindow()));
     editor.notice().ask(text("hasChangesNotSaved", program.name()), answers);
   }
 

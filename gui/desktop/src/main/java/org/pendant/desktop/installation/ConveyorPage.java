@@ -33,7 +33,7 @@ final class ConveyorPage implements Page {
   private static final List<List<Integer>> PAIRS =
       List.of(List.of(8, 9), List.of(10, 11), List.of(9, 8), List.of(11, 10));
 
-  private final TitledCard card = new TitledCard(text("conveyors"), "[grow, fill]");
+  private final TitledCard card = new TitledCard("conveyors", text("conveyors"), "[grow, fill]");
   private final Items<ConveyorSetup> items;
   private final JLabel count = new JLabel(" ");
 
@@ -45,15 +45,17 @@ final class ConveyorPage implements Page {
             text("noConveyorYetAConveyorGoes"),
             new Listed<>(editing, Installation::conveyors, (parts, all) -> parts.conveyors = all),
             each -> text("conveyorAlong", each.number(), each.feature()));
-    items.adder(text("addConveyor"), () -> fresh(editing.now()));
+    items.adder("add-conveyor", text("addConveyor"), () -> fresh(editing.now()));
     PartsForm<ConveyorSetup> form = items.form();
     form.<Integer>choice(
+            "number",
             text("number"),
             now -> List.of(1, 2),
             String::valueOf,
             ConveyorSetup::number,
             (c, number) -> with(c, number, c.encoder(), c.feature(), c.circular()))
         .<Integer>choice(
+            "encoder",
             text("encoder"),
             now -> List.of(0, 1),
             String::valueOf,
@@ -61,16 +63,19 @@ final class ConveyorPage implements Page {
             (c, encoder) -> with(c, c.number(), encoder, c.feature(), c.circular()))
         .add(text("countsNow"), count)
         .<String>choice(
+            "feature",
             text("feature"),
             now -> features(editing.now()),
             name -> name,
             ConveyorSetup::feature,
             (c, feature) -> with(c, c.number(), c.encoder(), feature, c.circular()))
         .check(
+            "circular",
             text("circular"),
             ConveyorSetup::circular,
             (c, circular) -> with(c, c.number(), c.encoder(), c.feature(), circular))
         .check(
+            "tool-turns-with-it",
             text("toolTurnsWithIt"),
             ConveyorSetup::rotateTool,
             (c, rotate) ->
@@ -84,6 +89,7 @@ final class ConveyorPage implements Page {
                     c.decoder(),
                     c.inputs()))
         .numberRow(
+            "ticks-per-m-or-turn",
             text("ticksPerMOrTurn"),
             Measure.PLAIN,
             ConveyorSetup::ticksPerUnit,
@@ -98,12 +104,14 @@ final class ConveyorPage implements Page {
                     c.decoder(),
                     c.inputs()))
         .<Integer>choice(
+            "pulses",
             text("pulses"),
             now -> IntStream.range(0, DECODERS.size()).boxed().toList(),
             DECODERS::get,
             ConveyorSetup::decoder,
             (c, type) -> decoded(c, type, inputs(type, c.inputs())))
         .<List<Integer>>choice(
+            "at-inputs",
             text("atInputs"),
             now -> choices(now.decoder()),
             ConveyorPage::words,

@@ -13,17 +13,19 @@ import org.pendant.kit.layout.TitledCard;
 /** EtherNet/IP page: what the loss of an EtherNet/IP scanner does. */
 final class EthernetIpPage implements Page {
   private final Editing editing;
-  private final TitledCard card = new TitledCard("EtherNet/IP", "[grow, fill]");
+  private final TitledCard card = new TitledCard("ethernet-ip", "EtherNet/IP", "[grow, fill]");
   private final PartsForm<Installation> form;
 
   EthernetIpPage(Editing editing) {
     this.editing = editing;
     form = new PartsForm<>("ethernet-ip", editing::whole, editing::takeWhole);
     form.check(
+            "on",
             text("on"),
             now -> now.ethernetIpLoss().isPresent(),
             (before, on) -> with(before, on ? Optional.of(WatchdogAction.PAUSE) : Optional.empty()))
         .<WatchdogAction>choice(
+            "when-a-scanner-is-lost",
             text("whenAScannerIsLost"),
             now -> List.of(WatchdogAction.values()),
             action ->

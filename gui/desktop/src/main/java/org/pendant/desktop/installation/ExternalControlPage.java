@@ -11,17 +11,20 @@ import org.pendant.kit.layout.TitledCard;
 /** External Control page: where the nodes get their script. */
 final class ExternalControlPage implements Page {
   private final Editing editing;
-  private final TitledCard card = new TitledCard("External Control", "[grow, fill]");
+  private final TitledCard card =
+      new TitledCard("external-control", "External Control", "[grow, fill]");
   private final PartsForm<Installation> form;
 
   ExternalControlPage(Editing editing) {
     this.editing = editing;
     form = new PartsForm<>("external-control", editing::whole, editing::takeWhole);
     form.text(
+            "host",
             text("host"),
             now -> now.controlHost().host(),
             (before, host) -> with(before, new ControlHost(host.strip(), port(before))))
         .text(
+            "port",
             text("port"),
             now -> String.valueOf(port(now)),
             (before, port) ->

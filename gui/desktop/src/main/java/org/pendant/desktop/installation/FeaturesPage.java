@@ -32,7 +32,7 @@ final class FeaturesPage implements Page {
   private static final int MAX_POINTS = 3;
 
   private final Supplier<ControllerState> state;
-  private final TitledCard card = new TitledCard(text("features"), "[grow, fill]");
+  private final TitledCard card = new TitledCard("features", text("features"), "[grow, fill]");
   private final Items<Feature> items;
   private final List<JLabel> places = new ArrayList<>();
   private final List<JButton> teach = new ArrayList<>();
@@ -59,6 +59,7 @@ final class FeaturesPage implements Page {
     for (FeatureKind kind : FeatureKind.values()) {
       String word = kind.name().toLowerCase(Locale.ROOT);
       items.adder(
+          "add-" + word,
           switch (kind) {
             case POINT -> text("addPoint");
             case LINE -> text("addLine");
@@ -74,12 +75,14 @@ final class FeaturesPage implements Page {
                   true));
     }
     PartsForm<Feature> form = items.form().in(editing.measures());
-    form.text(text("name"), Feature::name, (f, name) -> with(f, name.strip(), f.points()))
+    form.text("name", text("name"), Feature::name, (f, name) -> with(f, name.strip(), f.points()))
         .check(
+            "variable",
             text("variable"),
             Feature::variable,
             (f, on) -> new Feature(f.name(), f.kind(), f.points(), on, f.joggable()))
         .check(
+            "joggable",
             text("joggable"),
             Feature::joggable,
             (f, on) -> new Feature(f.name(), f.kind(), f.points(), f.variable(), on))

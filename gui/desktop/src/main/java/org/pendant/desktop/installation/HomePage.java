@@ -16,6 +16,9 @@ import org.pendant.models.arm.Joints;
 
 /** Home page: where home is. */
 final class HomePage implements Page {
+  private static final List<String> WORDS =
+      List.of("base", "shoulder", "elbow", "wrist-1", "wrist-2", "wrist-3");
+
   private static final List<String> NAMES =
       List.of(
           text("base"),
@@ -26,7 +29,7 @@ final class HomePage implements Page {
           text("wrist3"));
 
   private final Editing editing;
-  private final TitledCard card = new TitledCard(text("home"), "[grow, fill]");
+  private final TitledCard card = new TitledCard("home", text("home"), "[grow, fill]");
   private final PartsForm<Installation> form;
 
   HomePage(Editing editing, Supplier<ControllerState> state) {
@@ -36,6 +39,7 @@ final class HomePage implements Page {
     for (int i = 0; i < Joints.COUNT; i++) {
       int joint = i;
       form.numberRow(
+          WORDS.get(i),
           NAMES.get(i),
           Measure.DEGREE,
           now -> now.homeRad().get(joint),

@@ -32,7 +32,8 @@ final class JointLimitsPage implements Page {
           text("wrist3"));
 
   private final SafetyDraft draft;
-  private final TitledCard card = new TitledCard(text("jointLimits"), "[grow, fill]");
+  private final TitledCard card =
+      new TitledCard("joint-limits", text("jointLimits"), "[grow, fill]");
   private final SafetyBar bar;
   private final PartsForm<SafetyConfiguration> form;
   private final List<EntryField> fields = new ArrayList<>();

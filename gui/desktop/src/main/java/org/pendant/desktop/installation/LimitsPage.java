@@ -23,7 +23,8 @@ import org.pendant.text.Language;
 final class LimitsPage implements Page {
   private final Editing editing;
   private final SafetyDraft draft;
-  private final TitledCard card = new TitledCard(text("safetyLimits"), "[grow, fill]");
+  private final TitledCard card =
+      new TitledCard("safety-limits", text("safetyLimits"), "[grow, fill]");
   private final SafetyBar bar;
   private final PartsForm<SafetyConfiguration> form;
   private final List<JComponent> locked = new ArrayList<>();

@@ -24,7 +24,7 @@ final class ModbusPage implements Page {
           .filter(kind -> kind != ModbusKind.READ_WRITE_REGISTERS)
           .toList();
 
-  private final TitledCard card = new TitledCard("Modbus", "[grow, fill]");
+  private final TitledCard card = new TitledCard("modbus", "Modbus", "[grow, fill]");
   private final Items<ModbusSetup> items;
   private final JLabel value = new JLabel(" ");
   private final JLabel status = new JLabel(" ");
@@ -38,22 +38,25 @@ final class ModbusPage implements Page {
             new Listed<>(editing, Installation::modbus, (parts, all) -> parts.modbus = all),
             each ->
                 text("signalAt", each.name(), each.device(), each.kind().words(), each.address()));
-    items.adder(text("addSignal"), () -> fresh(editing.now()));
+    items.adder("add-signal", text("addSignal"), () -> fresh(editing.now()));
     items
         .form()
         .text(
+            "name",
             text("name"),
             ModbusSetup::name,
             (m, name) ->
                 new ModbusSetup(
                     name.strip(), m.device(), m.unit(), m.kind(), m.address(), m.updateHz()))
         .text(
+            "device",
             text("device"),
             ModbusSetup::device,
             (m, device) ->
                 new ModbusSetup(
                     m.name(), device.strip(), m.unit(), m.kind(), m.address(), m.updateHz()))
         .numberRow(
+            "unit",
             text("unit"),
             Measure.COUNT,
             ModbusSetup::unit,
@@ -61,6 +64,7 @@ final class ModbusPage implements Page {
                 new ModbusSetup(
                     m.name(), m.device(), whole(unit), m.kind(), m.address(), m.updateHz()))
         .<ModbusKind>choice(
+            "kind",
             text("kind"),
             now -> KINDS,
             kind -> capital(Messages.shown(kind.words())),
@@ -68,6 +72,7 @@ final class ModbusPage implements Page {
             (m, kind) ->
                 new ModbusSetup(m.name(), m.device(), m.unit(), kind, m.address(), m.updateHz()))
         .numberRow(
+            "address",
             text("address"),
             Measure.COUNT,
             ModbusSetup::address,
@@ -75,6 +80,7 @@ final class ModbusPage implements Page {
                 new ModbusSetup(
                     m.name(), m.device(), m.unit(), m.kind(), whole(address), m.updateHz()))
         .numberRow(
+            "rate",
             text("rate"),
             Measure.HERTZ,
             ModbusSetup::updateHz,

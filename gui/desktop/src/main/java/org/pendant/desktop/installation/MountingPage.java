@@ -16,7 +16,7 @@ import org.pendant.kit.layout.TitledCard;
 /** Mounting page: how the base is mounted. */
 final class MountingPage implements Page {
   private final Editing editing;
-  private final TitledCard card = new TitledCard(text("mounting"), "[grow, fill]");
+  private final TitledCard card = new TitledCard("mounting", text("mounting"), "[grow, fill]");
   private final PartsForm<Installation> form;
   private final MountingPicture picture = new MountingPicture();
   private final JLabel gravity = new JLabel();
@@ -27,11 +27,13 @@ final class MountingPage implements Page {
     form.in(editing.measures());
     form.wide(picture);
     form.numberRow(
+        "tilt",
         text("tilt"),
         Measure.DEGREE,
         now -> now.mounting().tiltRad(),
         (before, rad) -> with(before, new BaseMounting(rad, before.mounting().rotationRad())));
     form.numberRow(
+        "rotation",
         text("rotation"),
         Measure.DEGREE,
         now -> now.mounting().rotationRad(),

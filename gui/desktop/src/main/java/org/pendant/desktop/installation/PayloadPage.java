@@ -28,7 +28,7 @@ final class PayloadPage implements Page {
   private static final List<String> INERTIA = List.of("Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz");
 
   private final Editing editing;
-  private final TitledCard card = new TitledCard(text("payload"), "[grow, fill]");
+  private final TitledCard card = new TitledCard("payload", text("payload"), "[grow, fill]");
   private final Items<NamedPayload> items;
   private final PartsForm<Installation> active;
 
@@ -46,15 +46,18 @@ final class PayloadPage implements Page {
                 PayloadPage::follow),
             payload -> isActive(payload) ? text("activeOne", payload.name()) : payload.name());
     items.adder(
+        "add-payload",
         text("addPayload"),
         () -> new NamedPayload(items.freshName("Payload"), 0, new Vector3(0, 0, 0), Inertia.NONE));
     PartsForm<NamedPayload> form = items.form().in(editing.measures());
     form.text(
+        "name",
         text("name"),
         NamedPayload::name,
         (before, name) ->
             new NamedPayload(name.strip(), before.massKg(), before.cogM(), before.inertia()));
     form.numberRow(
+        "mass",
         text("mass"),
         Measure.KILOGRAM,
         NamedPayload::massKg,
@@ -63,6 +66,7 @@ final class PayloadPage implements Page {
     for (int i = 0; i < AXES.size(); i++) {
       int axis = i;
       form.numberRow(
+          "C" + AXES.get(i),
           "C" + AXES.get(i),
           Measure.MILLIMETRE,
           now -> axis(now.cogM(), axis),
@@ -82,6 +86,7 @@ final class PayloadPage implements Page {
     form.buttons(set);
     active = new PartsForm<>("payload-active", editing::whole, editing::takeWhole);
     active.choice(
+        "active-payload",
         text("activePayload"),
         PayloadPage::names,
         name -> name.isEmpty() ? text("noPayload") : name,

@@ -32,7 +32,8 @@ final class PlanesPage implements Page {
 
   private final Editing editing;
   private final SafetyDraft draft;
-  private final TitledCard card = new TitledCard(text("safetyPlanes"), "[grow, fill]");
+  private final TitledCard card =
+      new TitledCard("safety-planes", text("safetyPlanes"), "[grow, fill]");
   private final SafetyBar bar;
   private final Items<SafetyPlane> items;
   private final JComboBox<String> fromFeature = new JComboBox<>();
@@ -50,12 +51,14 @@ final class PlanesPage implements Page {
             new Drafted(),
             each -> each.name() + "  (" + words(each.applies()) + ")");
     items.adder(
+        "add-plane",
         text("addPlane"),
         () ->
             new SafetyPlane(
                 items.freshName("Plane"), 0, 0, 0, new Axis(0, 0, 1), Applies.BOTH, false));
     PartsForm<SafetyPlane> form = items.form().in(editing.measures());
     form.text(
+            "name",
             text("name"),
             SafetyPlane::name,
             (p, name) ->
@@ -68,6 +71,7 @@ final class PlanesPage implements Page {
                     p.applies(),
                     p.elbow()))
         .<Applies>choice(
+            "holds",
             text("holds"),
             now -> List.of(Applies.values()),
             PlanesPage::words,
@@ -82,6 +86,7 @@ final class PlanesPage implements Page {
                     applies,
                     p.elbow()))
         .check(
+            "elbow-as-well",
             text("elbowAsWell"),
             SafetyPlane::elbow,
             (p, elbow) ->
@@ -98,6 +103,7 @@ final class PlanesPage implements Page {
       int axis = i;
       form.numberRow(
           AXES.get(i),
+          AXES.get(i),
           Measure.MILLIMETRE,
           now -> point(now)[axis],
           (p, m) -> {
@@ -110,6 +116,7 @@ final class PlanesPage implements Page {
     for (int i = 0; i < AXES.size(); i++) {
       int axis = i;
       form.numberRow(
+          "side-" + AXES.get(i),
           text("side", AXES.get(i)),
           Measure.PLAIN,
           now -> side(now.allowedSide())[axis],

@@ -31,7 +31,7 @@ final class SignalsPage implements Page {
   private static final int MIN_ROWS = 10;
   private static final int LIVE_MS = 100;
 
-  private final TitledCard card = new TitledCard(text("io"), "[grow, fill]");
+  private final TitledCard card = new TitledCard("io", text("io"), "[grow, fill]");
   private final SignalTable model;
   private final SignalsTable table;
   private final Remark problem = new Remark("signals-problem", Palette::error);

@@ -20,13 +20,14 @@ final class StartUpPage implements Page {
   private static final List<String> INPUTS = inputs();
 
   private final Editing editing;
-  private final TitledCard card = new TitledCard(text("startUp"), "[grow, fill]");
+  private final TitledCard card = new TitledCard("start-up", text("startUp"), "[grow, fill]");
   private final PartsForm<Installation> form;
 
   StartUpPage(Editing editing) {
     this.editing = editing;
     form = new PartsForm<>("start-up", editing::whole, editing::takeWhole);
     form.text(
+            "load-program",
             text("loadProgram"),
             now -> now.startUp().program(),
             (before, name) ->
@@ -41,6 +42,7 @@ final class StartUpPage implements Page {
                             s.powerOnHigh())))
         .note(text("theFileInTheProgramsFolder"))
         .<String>choice(
+            "start-program-by",
             text("startProgramBy"),
             now -> INPUTS,
             StartUpPage::words,
@@ -52,6 +54,7 @@ final class StartUpPage implements Page {
                         new StartUp(
                             s.program(), input, s.startOnHigh(), s.powerInput(), s.powerOnHigh())))
         .<Boolean>choice(
+            "start-on",
             text("startOn"),
             now -> List.of(true, false),
             StartUpPage::edge,
@@ -63,6 +66,7 @@ final class StartUpPage implements Page {
                         new StartUp(
                             s.program(), s.startInput(), high, s.powerInput(), s.powerOnHigh())))
         .<String>choice(
+            "switch-arm-on-by",
             text("switchArmOnBy"),
             now -> INPUTS,
             StartUpPage::words,
@@ -74,6 +78,7 @@ final class StartUpPage implements Page {
                         new StartUp(
                             s.program(), s.startInput(), s.startOnHigh(), input, s.powerOnHigh())))
         .<Boolean>choice(
+            "switch-on-at",
             text("switchOnAt"),
             now -> List.of(true, false),
             StartUpPage::edge,
@@ -86,12 +91,14 @@ final class StartUpPage implements Page {
                             s.program(), s.startInput(), s.startOnHigh(), s.powerInput(), high)))
         .heading(text("robot"))
         .<String>choice(
+            "made-for",
             text("madeFor"),
             now -> robots(),
             id -> id.isEmpty() ? text("anyRobot") : "UR" + id.substring(2),
             Installation::robot,
             (before, id) -> before.with(parts -> parts.robot = id))
         .<Double>choice(
+            "safety-transition",
             text("safetyTransition"),
             now -> List.of(0.0, 1.0),
             hard -> hard == 0 ? text("hard") : text("soft"),

@@ -20,7 +20,7 @@ import org.pendant.models.pose.Pose;
 /** TCP page: the TCPs, and the one that is active when a program starts. */
 final class TcpPage implements Page {
   private final Editing editing;
-  private final TitledCard card = new TitledCard("TCP", "[grow, fill]");
+  private final TitledCard card = new TitledCard("tcp", "TCP", "[grow, fill]");
   private final Items<NamedTool> items;
   private final PartsForm<Installation> active;
 
@@ -34,9 +34,10 @@ final class TcpPage implements Page {
             new Listed<>(
                 editing, Installation::tools, (parts, all) -> parts.tools = all, TcpPage::follow),
             tool -> isActive(tool) ? text("activeOne", tool.name()) : tool.name());
-    items.adder(text("addTcp"), () -> new NamedTool(items.freshName("TCP"), Pose.ZERO));
+    items.adder("add-tcp", text("addTcp"), () -> new NamedTool(items.freshName("TCP"), Pose.ZERO));
     PartsForm<NamedTool> form = items.form().in(editing.measures());
     form.text(
+        "name",
         text("name"),
         NamedTool::name,
         (before, name) -> new NamedTool(name.strip(), before.inFlange()));
@@ -55,6 +56,7 @@ final class TcpPage implements Page {
     form.note(text("whereTheTcpIsInThe"));
     active = new PartsForm<>("tcp-active", editing::whole, editing::takeWhole);
     active.choice(
+        "active-tcp",
         text("activeTcp"),
         TcpPage::names,
         name -> name.isEmpty() ? text("noneTheFlange") : name,

@@ -17,7 +17,8 @@ import org.pendant.kit.layout.TitledCard;
 /** Tool connector page: how the connector at the tool flange is used. */
 final class ToolConnectorPage implements Page {
   private final Editing editing;
-  private final TitledCard card = new TitledCard(text("toolConnector"), "[grow, fill]");
+  private final TitledCard card =
+      new TitledCard("tool-connector", text("toolConnector"), "[grow, fill]");
   private final PartsForm<Wiring> form;
 
   ToolConnectorPage(Editing editing) {
@@ -28,12 +29,14 @@ final class ToolConnectorPage implements Page {
             next -> editing.refusal(parts -> parts.wiring = next),
             next -> editing.take(parts -> parts.wiring = next));
     form.<Integer>choice(
+            "voltage",
             text("voltage"),
             now -> List.of(0, 12, 24),
             v -> v + " V",
             Wiring::toolVoltage,
             (w, v) -> outputs(w, v, w.toolOutputMode(), w.toolPins()))
         .<ToolOutputMode>choice(
+            "outputs",
             text("outputs"),
             now -> List.of(ToolOutputMode.values()),
             mode ->
@@ -46,6 +49,7 @@ final class ToolConnectorPage implements Page {
     for (int i = 0; i < 2; i++) {
       int pin = i;
       form.<ToolPinMode>choice(
+          "output-" + i,
           text("output", i),
           now -> List.of(ToolPinMode.values()),
           ToolConnectorPage::words,
@@ -63,6 +67,7 @@ final class ToolConnectorPage implements Page {
   private void addLine() {
     form.heading(text("serialLine"))
         .check(
+            "on",
             text("on"),
             now -> now.toolCommunication().enabled(),
             (w, on) ->
@@ -77,6 +82,7 @@ final class ToolConnectorPage implements Page {
                             c.rxIdleChars(),
                             c.txIdleChars())))
         .<Integer>choice(
+            "baud-rate",
             text("baudRate"),
             now -> ToolCommunication.BAUD_RATES,
             String::valueOf,
@@ -93,6 +99,7 @@ final class ToolConnectorPage implements Page {
                             c.rxIdleChars(),
                             c.txIdleChars())))
         .<ToolCommunication.Parity>choice(
+            "parity",
             text("parity"),
             now -> List.of(ToolCommunication.Parity.values()),
             parity ->
@@ -114,6 +121,7 @@ final class ToolConnectorPage implements Page {
                             c.rxIdleChars(),
                             c.txIdleChars())))
         .<Integer>choice(
+            "stop-bits",
             text("stopBits"),
             now -> List.of(1, 2),
             String::valueOf,
@@ -130,6 +138,7 @@ final class ToolConnectorPage implements Page {
                             c.rxIdleChars(),
                             c.txIdleChars())))
         .numberRow(
+            "rx-idle-characters",
             text("rxIdleCharacters"),
             Measure.PLAIN,
             now -> now.toolCommunication().rxIdleChars(),
@@ -145,6 +154,7 @@ final class ToolConnectorPage implements Page {
                             chars.floatValue(),
                             c.txIdleChars())))
         .numberRow(
+            "tx-idle-characters",
             text("txIdleCharacters"),
             Measure.PLAIN,
             now -> now.toolCommunication().txIdleChars(),

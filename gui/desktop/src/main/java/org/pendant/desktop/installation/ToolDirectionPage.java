@@ -22,7 +22,8 @@ final class ToolDirectionPage implements Page {
   private static final List<String> AXES = List.of("X", "Y", "Z");
 
   private final SafetyDraft draft;
-  private final TitledCard card = new TitledCard(text("toolDirection"), "[grow, fill]");
+  private final TitledCard card =
+      new TitledCard("tool-direction", text("toolDirection"), "[grow, fill]");
   private final SafetyBar bar;
   private final PartsForm<SafetyConfiguration> form;
 
@@ -32,10 +33,12 @@ final class ToolDirectionPage implements Page {
     form = new PartsForm<>("direction", draft::refusal, draft::edit);
     form.in(draft.measures());
     form.check(
+        "restrict-how-far-the-tool-may-be-tilted",
         text("restrictHowFarTheToolMay"),
         c -> c.toolDirection().isPresent(),
         (c, on) -> with(c, on ? Optional.of(DOWN) : Optional.empty()));
     form.numberRow(
+        "largest-angle",
         text("largestAngle"),
         Measure.DEGREE,
         c -> of(c).largestAngleRad(),
@@ -43,6 +46,7 @@ final class ToolDirectionPage implements Page {
             change(
                 c, d -> new ToolDirection(d.allowedInBase(), d.toolInFlange(), rad, d.applies())));
     form.<Applies>choice(
+        "holds",
         text("holds"),
         now -> List.of(Applies.NORMAL, Applies.REDUCED, Applies.BOTH),
         PlanesPage::words,
@@ -55,11 +59,13 @@ final class ToolDirectionPage implements Page {
                         d.allowedInBase(), d.toolInFlange(), d.largestAngleRad(), applies)));
     form.heading(text("whereItShouldPointAlongThe"));
     axes(
+        "base",
         "baseAxis",
         ToolDirection::allowedInBase,
         (d, axis) -> new ToolDirection(axis, d.toolInFlange(), d.largestAngleRad(), d.applies()));
     form.heading(text("theToolsOwnDirectionAlongThe"));
     axes(
+        "flange",
         "flangeAxis",
         ToolDirection::toolInFlange,
         (d, axis) -> new ToolDirection(d.allowedInBase(), axis, d.largestAngleRad(), d.applies()));
@@ -74,11 +80,12 @@ final class ToolDirectionPage implements Page {
     ToolDirection with(ToolDirection before, Axis axis);
   }
 
-  private void axes(String name, Function<ToolDirection, Axis> get, Turn turn) {
+  private void axes(String name, String title, Function<ToolDirection, Axis> get, Turn turn) {
     for (int i = 0; i < AXES.size(); i++) {
       int axis = i;
       form.numberRow(
-          text(name, AXES.get(i)),
+          name + " " + AXES.get(i),
+          text(title, AXES.get(i)),
           Measure.PLAIN,
           c -> PlanesPage.side(get.apply(of(c)))[axis],
           (c, part) ->

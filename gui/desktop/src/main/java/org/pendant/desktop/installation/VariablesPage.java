@@ -10,7 +10,7 @@ import org.pendant.kit.layout.TitledCard;
 
 /** Variables page: variables that every program has, and that keep their values. */
 final class VariablesPage implements Page {
-  private final TitledCard card = new TitledCard(text("variables"), "[grow, fill]");
+  private final TitledCard card = new TitledCard("variables", text("variables"), "[grow, fill]");
   private final Items<InstallationVariable> items;
 
   VariablesPage(Editing editing) {
@@ -22,20 +22,25 @@ final class VariablesPage implements Page {
             new Listed<>(editing, Installation::variables, (parts, all) -> parts.variables = all),
             each -> (each.favourite() ? "\u2605 " : "") + each.name() + " = " + each.value());
     items.adder(
-        text("addVariable"), () -> new InstallationVariable(items.freshName("i_var"), "0", false));
+        "add-variable",
+        text("addVariable"),
+        () -> new InstallationVariable(items.freshName("i_var"), "0", false));
     items
         .form()
         .text(
+            "name",
             text("name"),
             InstallationVariable::name,
             (before, name) ->
                 new InstallationVariable(name.strip(), before.value(), before.favourite()))
         .text(
+            "value",
             text("value"),
             InstallationVariable::value,
             (before, value) ->
                 new InstallationVariable(before.name(), value.strip(), before.favourite()))
         .check(
+            "favourite",
             text("favourite"),
             InstallationVariable::favourite,
             (before, on) -> new InstallationVariable(before.name(), before.value(), on))

@@ -12,8 +12,9 @@ final class AnalogCard {
   private final TitledCard card;
   private final List<AnalogRow> rows = new ArrayList<>();
 
-  AnalogCard(String title, List<AnalogBank> banks, Forcing forcing, SignalLabels labels) {
-    card = new TitledCard(title, "[][grow,fill][][]");
+  AnalogCard(
+      String word, String title, List<AnalogBank> banks, Forcing forcing, SignalLabels labels) {
+    card = new TitledCard(word, title, "[][grow,fill][][]");
     for (AnalogBank bank : banks) {
       for (int i = 0; i < AnalogBank.SIZE; i++) {
         rows.add(new AnalogRow(card, bank, i, forcing, labels));

@@ -32,7 +32,7 @@ final class DeviceCard {
   /** Of the width that fits, the part that a part has. */
   private static final double PART = 0.4;
 
-  private final TitledCard card = new TitledCard(text("cell"), "[grow,fill,0::]");
+  private final TitledCard card = new TitledCard("cell", text("cell"), "[grow,fill,0::]");
   private final JPanel table =
       new JPanel(new MigLayout("insets 0, gap 12 2, wrap 2", "[grow, 0:180:][right]"));
   private final Function<Command, CompletableFuture<Reply>> submit;

@@ -193,6 +193,7 @@ public final class IoView implements View {
     addAnalog(
         cards,
         new AnalogCard(
+            "analog-inputs",
             text("analogInputs"),
             List.of(AnalogBank.STANDARD_IN, AnalogBank.TOOL_IN),
             presenter.forcing(),
@@ -200,7 +201,11 @@ public final class IoView implements View {
     addAnalog(
         cards,
         new AnalogCard(
-            text("analogOutputs"), List.of(AnalogBank.STANDARD_OUT), presenter.forcing(), labels));
+            "analog-outputs",
+            text("analogOutputs"),
+            List.of(AnalogBank.STANDARD_OUT),
+            presenter.forcing(),
+            labels));
     cards.add(tool.component());
     cards.add(safety.component());
     for (RegisterKind kind : RegisterKind.values()) {

@@ -29,7 +29,7 @@ final class MemoryCard {
 
   MemoryCard(Memory memory, Forcing forcing, SignalLabels labels) {
     list = new MemoryList(memory, forcing, labels);
-    card = new TitledCard(Messages.shown(memory.title()), "[grow,fill]");
+    card = new TitledCard(memory.id(), Messages.shown(memory.title()), "[grow,fill]");
     String name = memory.id();
     table = new MemoryTable("io-" + name, list, this::tell);
     scroll =

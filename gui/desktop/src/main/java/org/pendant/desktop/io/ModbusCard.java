@@ -18,7 +18,7 @@ import org.pendant.kit.theme.Palette;
 final class ModbusCard {
   private static final String NONE = text("signalsOfModbusDevicesAppearHere");
 
-  private final TitledCard card = new TitledCard(text("modbus"), "[grow,fill,0::]");
+  private final TitledCard card = new TitledCard("modbus", text("modbus"), "[grow,fill,0::]");
   private final JLabel none = new JLabel(NONE);
   private final JPanel table =
       new JPanel(

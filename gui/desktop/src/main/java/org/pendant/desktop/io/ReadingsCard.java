@@ -22,7 +22,7 @@ import org.pendant.models.arm.Joints;
 final class ReadingsCard {
   private static final int COLUMNS = Readings.JOINT_COLUMNS.size();
 
-  private final TitledCard card = new TitledCard(text("readings"), "[grow,fill]");
+  private final TitledCard card = new TitledCard("readings", text("readings"), "[grow,fill]");
   private final JPanel table = new JPanel();
   private final JPanel below = new JPanel();
   private final List<JLabel> titles = Readings.JOINT_COLUMNS.stream().map(Cells::title).toList();

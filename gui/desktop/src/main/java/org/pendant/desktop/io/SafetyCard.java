@@ -11,7 +11,8 @@ import org.pendant.kit.layout.TitledCard;
 
 /** Safety card: the inputs that demand safety functions. */
 final class SafetyCard {
-  private final TitledCard card = new TitledCard(text("safetyInputs"), "[][grow,fill]");
+  private final TitledCard card =
+      new TitledCard("safety-inputs", text("safetyInputs"), "[][grow,fill]");
   private final Map<SafetyInput, LevelButton> buttons = new EnumMap<>(SafetyInput.class);
   private final IoPresenter presenter;
 

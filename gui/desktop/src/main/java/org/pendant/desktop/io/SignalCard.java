@@ -25,7 +25,9 @@ final class SignalCard {
   SignalCard(SignalBank bank, IoPresenter presenter, SignalLabels labels) {
     this.presenter = presenter;
     this.labels = labels;
-    card = new TitledCard(SignalName.of(bank), "[][][grow,fill,110::][]");
+    card =
+        new TitledCard(
+            bank.text().replace('_', '-'), SignalName.of(bank), "[][][grow,fill,110::][]");
     for (int i = 0; i < bank.size(); i++) {
       if (bank.input()) {
         addInput(new Signal(bank, i));

@@ -22,7 +22,8 @@ import org.pendant.script.vm.ProgramState;
 final class ToolCard {
   private static final List<Integer> VOLTS = List.of(0, 12, 24);
 
-  private final TitledCard card = new TitledCard(text("toolConnector"), "[][grow,fill,110::]");
+  private final TitledCard card =
+      new TitledCard("tool-connector", text("toolConnector"), "[][grow,fill,110::]");
   private final Forcing forcing;
   private final JComboBox<String> voltage;
   private final JComboBox<String> mode;

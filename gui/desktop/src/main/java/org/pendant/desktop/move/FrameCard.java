@@ -20,7 +20,8 @@ import org.pendant.models.pose.Pose;
  */
 final class FrameCard {
   private final MovePresenter presenter;
-  private final TitledCard card = new TitledCard(text("frameInTheBase"), "[grow, fill]");
+  private final TitledCard card =
+      new TitledCard("frame-in-the-base", text("frameInTheBase"), "[grow, fill]");
   private final PoseFields fields;
   private final Remark problem = new Remark("move-frame-problem", Palette::error);
   private final JComboBox<String> features = new JComboBox<>();

@@ -27,7 +27,7 @@ final class FreedriveCard {
   private static final String HINT = text("dragTheArmInThe3d");
 
   private final FreedrivePresenter presenter;
-  private final TitledCard card = new TitledCard(text("freedrive"), "[grow, fill]");
+  private final TitledCard card = new TitledCard("freedrive", text("freedrive"), "[grow, fill]");
   private final Segments<JogAxes> frames;
   private final List<JToggleButton> axes = new ArrayList<>();
   private final HoldButton hold;

@@ -20,7 +20,7 @@ import org.pendant.models.arm.Joints;
 /** Home card: where home is: go there, put it where the arm is, or type it. */
 final class HomeCard {
   private final MovePresenter presenter;
-  private final TitledCard card = new TitledCard(text("home"), "[grow, fill]");
+  private final TitledCard card = new TitledCard("home", text("home"), "[grow, fill]");
   private final List<NumberField> fields = new ArrayList<>();
   private final List<JLabel> units = new ArrayList<>();
   private final Remark problem = new Remark("move-home-problem", Palette::error);

@@ -26,7 +26,7 @@ final class JogCard {
   private static final String HINT = text("keysArrowsForXAndY");
 
   private final JogPresenter presenter;
-  private final TitledCard card = new TitledCard(text("toolCard"), "[grow, fill]");
+  private final TitledCard card = new TitledCard("tool", text("toolCard"), "[grow, fill]");
   private final List<HoldButton> buttons = new ArrayList<>();
   private final Segments<JogAxes> axes;
   private final Segments<JogSize> sizes;

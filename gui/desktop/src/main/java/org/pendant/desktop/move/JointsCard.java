@@ -22,7 +22,8 @@ import org.pendant.models.arm.Joints;
 /** Joints card: the six joints: turn them, see how far they may, and type where they should go. */
 final class JointsCard {
   private final MovePresenter presenter;
-  private final TitledCard card = new TitledCard(text("joints"), "[][][grow, fill][][fill][]");
+  private final TitledCard card =
+      new TitledCard("joints", text("joints"), "[][][grow, fill][][fill][]");
   private final List<HoldButton> holds = new ArrayList<>();
   private final List<RangeBar> bars = new ArrayList<>();
   private final List<NumberField> fields = new ArrayList<>();

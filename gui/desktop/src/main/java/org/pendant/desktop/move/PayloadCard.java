@@ -22,7 +22,7 @@ final class PayloadCard {
       List.of("m", "x", "y", "z", "ixx", "iyy", "izz", "ixy", "ixz", "iyz");
 
   private final ToolPresenter presenter;
-  private final TitledCard card = new TitledCard(text("payload"), "[grow, fill]");
+  private final TitledCard card = new TitledCard("payload", text("payload"), "[grow, fill]");
   private final List<NumberField> fields = new ArrayList<>();
   private final List<JLabel> units = new ArrayList<>();
   private final Remark problem = new Remark("move-payload-problem", Palette::error);

@@ -25,7 +25,7 @@ import org.pendant.kit.theme.Palette;
 /** Pose card: the pose of the TCP: read it, type another one, and go there. */
 final class PoseCard {
   private final MovePresenter presenter;
-  private final TitledCard card = new TitledCard(text("tcpPose"), "[grow, fill]");
+  private final TitledCard card = new TitledCard("tcp-pose", text("tcpPose"), "[grow, fill]");
   private final JLabel where = new JLabel();
   private final PoseFields fields;
   private final Remark problem = new Remark("move-pose-problem", Palette::error);

@@ -23,7 +23,8 @@ final class TcpCard {
   private static final String CHOOSE = text("keptTcps");
 
   private final MovePresenter presenter;
-  private final TitledCard card = new TitledCard(text("tcpInTheFlange"), "[grow, fill]");
+  private final TitledCard card =
+      new TitledCard("tcp-in-the-flange", text("tcpInTheFlange"), "[grow, fill]");
   private final PoseFields fields;
   private final JComboBox<String> kept = new JComboBox<>();
   private final JTextField name = new JTextField(10);

@@ -95,9 +95,10 @@ final class Autosave {
             found.size(),
             more > 0 ? ShellTexts.text("andMore", names, more) : names),
         List.of(
-            new Choice(ShellTexts.text("restoreAll"), () -> found.forEach(this::restore)),
-            new Choice(ShellTexts.text("oneByOne"), () -> found.forEach(this::offer)),
-            Choice.nothing(ShellTexts.text("askNextTime"))));
+            new Choice(
+                "restore-all", ShellTexts.text("restoreAll"), () -> found.forEach(this::restore)),
+            new Choice("one-by-one", ShellTexts.text("oneByOne"), () -> found.forEach(this::offer)),
+            Choice.nothing("ask-next-time", ShellTexts.text("askNextTime"))));
   }
 
   private static String where(RecoveryFolder.LeftBehind left) {
@@ -109,9 +110,9 @@ final class Autosave {
         "recovery-" + left.kept().getFileName(),
         ShellTexts.text("pendantEndedBeforeWasSaved", where(left)),
         List.of(
-            new Choice(ShellTexts.text("restore"), () -> restore(left)),
-            new Choice(ShellTexts.text("discard"), () -> forget(left)),
-            Choice.nothing(ShellTexts.text("askNextTime"))));
+            new Choice("restore", ShellTexts.text("restore"), () -> restore(left)),
+            new Choice("discard", ShellTexts.text("discard"), () -> forget(left)),
+            Choice.nothing("ask-next-time", ShellTexts.text("askNextTime"))));
   }
 
   private void restore(RecoveryFolder.LeftBehind left) {

@@ -73,9 +73,11 @@ final class CloseDialog {
         QUESTION,
         text("notSaved", names),
         List.of(
-            new Choice(unsaved.size() == 1 ? text("save") : text("saveAll"), this::saveAndLeave),
-            new Choice(text("quitWithoutSaving"), leave),
-            Choice.nothing(text("cancel"))));
+            unsaved.size() == 1
+                ? new Choice("save", text("save"), this::saveAndLeave)
+                : new Choice("save-all", text("saveAll"), this::saveAndLeave),
+            new Choice("quit-without-saving", text("quitWithoutSaving"), leave),
+            Choice.nothing("cancel", text("cancel"))));
     notices.focus();
   }
 
@@ -88,8 +90,8 @@ final class CloseDialog {
         WAITING,
         text("savingTheWindowClosesWhenThat", String.join(", ", names)),
         List.of(
-            new Choice(text("stay"), () -> waiting = false, true),
-            new Choice(text("quitWithoutSaving"), leave)));
+            new Choice("stay", text("stay"), () -> waiting = false, true),
+            new Choice("quit-without-saving", text("quitWithoutSaving"), leave)));
     saves.whenDone(this::saved);
   }
 

@@ -151,8 +151,8 @@ final class DiskWatch {
         name,
         text("hasChangedOnDiskAndHere", document.name()),
         List.of(
-            new Choice(text("readItAgain"), () -> document.reloaded(now)),
-            new Choice(text("keepMine"), () -> document.changedOnDisk(now), true)));
+            new Choice("read-it-again", text("readItAgain"), () -> document.reloaded(now)),
+            new Choice("keep-mine", text("keepMine"), () -> document.changedOnDisk(now), true)));
     document.addListener(
         new ProgramDocument.Listener() {
           @Override

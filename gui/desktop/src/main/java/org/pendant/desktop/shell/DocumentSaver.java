@@ -132,18 +132,20 @@ final class DocumentSaver {
         text("isNotSavedAnotherWindowOr", document.name()),
         List.of(
             new Choice(
+                "read-it-again",
                 text("readItAgain"),
                 () -> {
                   document.reloaded(now);
                   then.accept(false);
                 }),
             new Choice(
+                "replace-it",
                 text("replaceIt"),
                 () -> {
                   document.changedOnDisk(now);
                   save(document, then);
                 }),
-            new Choice(text("cancel"), () -> then.accept(false), true)));
+            new Choice("cancel", text("cancel"), () -> then.accept(false), true)));
   }
 
   private void tellSaved(Path file) {

@@ -108,7 +108,9 @@ final class ExampleFiles {
     notices.ask(
         "example-" + companion,
         question,
-        List.of(new Choice(yes, () -> bring.accept(companion)), Choice.nothing(text("close"))));
+        List.of(
+            new Choice("yes", yes, () -> bring.accept(companion)),
+            Choice.nothing("close", text("close"))));
   }
 
   private void take(String companion) {

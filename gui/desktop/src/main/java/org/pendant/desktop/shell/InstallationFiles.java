@@ -156,8 +156,8 @@ final class InstallationFiles {
         BESIDE,
         text("isMadeForTheInstallationBeside", program.name(), file.getFileName()),
         List.of(
-            new Choice(text("openIt"), () -> open(file)),
-            new Choice(text("keepThisOne"), () -> kept.add(program), true)));
+            new Choice("open-it", text("openIt"), () -> open(file)),
+            new Choice("keep-this-one", text("keepThisOne"), () -> kept.add(program), true)));
   }
 
   /** What can be done with them. */

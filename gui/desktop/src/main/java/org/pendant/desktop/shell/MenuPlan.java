@@ -45,9 +45,10 @@ final class MenuPlan {
     /**
      * A menu in a menu.
      *
+     * @param word with which its name ends
      * @param said how the titles of its actions begin; they go without it there
      */
-    record Sub(String title, String said, List<Entry> entries) implements Entry {}
+    record Sub(String word, String title, String said, List<Entry> entries) implements Entry {}
 
     /** A line between entries. */
     record Line() implements Entry {}
@@ -56,15 +57,16 @@ final class MenuPlan {
     record Files(String title) implements Entry {}
 
     /** Menus of the places that views may have, one for each view. */
-    record Places(String title, List<String> views) implements Entry {}
+    record Places(String word, String title, List<String> views) implements Entry {}
   }
 
   /**
    * A menu of the bar.
    *
+   * @param word with which its name ends
    * @param forTrees whether it is shown for programs made of nodes only
    */
-  record Menu(String title, boolean forTrees, List<Entry> entries) {}
+  record Menu(String word, String title, boolean forTrees, List<Entry> entries) {}
 
   /**
    * The menus of a window.
@@ -74,16 +76,16 @@ final class MenuPlan {
    */
   static List<Menu> of(List<String> screens, List<String> panels) {
     return List.of(
-        menu(text("menuFile"), file()),
-        menu(text("menuEdit"), edit()),
-        new Menu(text("menuNodes"), true, nodes()),
-        menu(text("menuGo"), go()),
-        menu(text("menuView"), view(screens, panels)),
-        menu(text("menuProgram"), program()),
-        menu(text("menuDebug"), debug()),
-        menu(text("menuRobot"), robot()),
-        menu(text("menuTools"), all("")),
-        menu(text("menuHelp"), help()));
+        menu("file", text("menuFile"), file()),
+        menu("edit", text("menuEdit"), edit()),
+        new Menu("nodes", text("menuNodes"), true, nodes()),
+        menu("go", text("menuGo"), go()),
+        menu("view", text("menuView"), view(screens, panels)),
+        menu("program", text("menuProgram"), program()),
+        menu("debug", text("menuDebug"), debug()),
+        menu("robot", text("menuRobot"), robot()),
+        menu("tools", text("menuTools"), all("")),
+        menu("help", text("menuHelp"), help()));
   }
 
   /**
@@ -159,23 +161,29 @@ final class MenuPlan {
   private static List<Entry> file() {
     return list(
         all("file.new", "file.new-script", "file.open"),
-        sub(text("recent"), "", list(all("file.recent"), line(), files(text("recentPrograms")))),
+        sub(
+            "recent",
+            text("recent"),
+            "",
+            list(all("file.recent"), line(), files(text("recentPrograms")))),
         line(),
         all("file.save", "file.save-as"),
-        sub(text("export"), "", all("file.save-script", "file.export")),
+        sub("export", text("export"), "", all("file.save-script", "file.export")),
         all("file.reload"),
         one("editor.close", "tree.close"),
         all("editor.reopen"),
         line(),
         sub(
+            "installation",
             text("installationMenu"),
             "",
             list(
                 all("installation.new", "installation.open"),
-                sub(text("recent"), "", list(files(text("recentInstallations")))),
+                sub("recent", text("recent"), "", list(files(text("recentInstallations")))),
                 line(),
                 all("installation.save", "installation.save-as", "installation.reload"))),
         sub(
+            "scene",
             text("sceneMenu"),
             "",
             list(
@@ -197,6 +205,7 @@ final class MenuPlan {
         all("edit.cut", "edit.copy", "edit.paste"),
         line(),
         sub(
+            "find",
             text("find"),
             "",
             list(
@@ -206,6 +215,7 @@ final class MenuPlan {
                 one("editor.find-previous", "tree.find-previous"),
                 all("editor.find-in-files"))),
         sub(
+            "lines",
             text("lines"),
             "",
             all(
@@ -216,7 +226,7 @@ final class MenuPlan {
                 "editor.move-down",
                 "editor.duplicate",
                 "editor.delete-line")),
-        sub(text("fold"), "", all("editor.fold", "editor.fold-all", "editor.unfold-all")),
+        sub("fold", text("fold"), "", all("editor.fold", "editor.fold-all", "editor.unfold-all")),
         line(),
         all(
             "editor.complete",
@@ -233,8 +243,12 @@ final class MenuPlan {
         line(),
         all("tree.rename", "tree.duplicate", "tree.suppress", "tree.move-up", "tree.move-down"),
         line(),
-        sub(text("fold"), "", all("tree.fold", "tree.fold-all", "tree.unfold-all")),
-        sub(text("goTo"), "", all("tree.palette", "tree.form", "tree.to-tree", "tree.script")),
+        sub("fold", text("fold"), "", all("tree.fold", "tree.fold-all", "tree.unfold-all")),
+        sub(
+            "go-to",
+            text("goTo"),
+            "",
+            all("tree.palette", "tree.form", "tree.to-tree", "tree.script")),
         all("tree"));
   }
 
@@ -254,21 +268,24 @@ final class MenuPlan {
   private static List<Entry> view(List<String> screens, List<String> panels) {
     return list(
         sub(
+            "screens",
             text("screens"),
             text("show"),
-            list(shows(screens), line(), places(text("moveAScreen"), screens))),
+            list(shows(screens), line(), places("move-a-screen", text("moveAScreen"), screens))),
         panels(
             panels.stream().filter(each -> !DEBUGGER.contains(each)).toList(),
             panels.stream().filter(DEBUGGER::contains).toList()),
         line(),
-        sub(text("docks"), "", all("dock")),
+        sub("docks", text("docks"), "", all("dock")),
         all("view"),
         line(),
         sub(
+            "3d-view",
             text("view3d"),
             "3D",
             list(
                 sub(
+                    "look-from",
                     text("lookFrom"),
                     text("lookFrom3d"),
                     all(
@@ -280,6 +297,7 @@ final class MenuPlan {
                         "scene.top")),
                 all("scene.fit", "scene.tool"),
                 sub(
+                    "way-of-the-tool",
                     text("wayOfTheTool"),
                     "3D",
                     list(
@@ -287,17 +305,22 @@ final class MenuPlan {
                         line(),
                         all("scene.trace-by"))),
                 line(),
-                sub(text("safety"), text("show3d"), all("scene.safety")),
-                sub(text("sceneMenu"), "", all("scene-file")),
+                sub("safety", text("safety"), text("show3d"), all("scene.safety")),
+                sub("scene", text("sceneMenu"), "", all("scene-file")),
                 all("scene"))),
-        sub(text("variables"), text("variables"), all("variables")),
-        sub(text("plots"), text("plots"), all("plot")),
-        sub(text("timeline"), text("timeline"), all("timeline")),
-        sub(text("log"), text("log"), all("log")),
+        sub("variables", text("variables"), text("variables"), all("variables")),
+        sub("plots", text("plots"), text("plots"), all("plot")),
+        sub("timeline", text("timeline"), text("timeline"), all("timeline")),
+        sub("log", text("log"), text("log"), all("log")),
         line(),
-        sub(text("colours"), text("colours"), all("look.light", "look.dark", "look.system")),
-        sub(text("languageMenu"), text("languageMenu"), all("language")),
         sub(
+            "colours",
+            text("colours"),
+            text("colours"),
+            all("look.light", "look.dark", "look.system")),
+        sub("language", text("languageMenu"), text("languageMenu"), all("language")),
+        sub(
+            "size",
             text("size"),
             "",
             list(
@@ -305,6 +328,7 @@ final class MenuPlan {
                 line(),
                 all("editor.larger", "editor.smaller", "editor.usual-size"))),
         sub(
+            "units",
             text("units"),
             text("units"),
             list(all("unit.length"), line(), all("unit.angle"), line(), all("unit.rotation"))),
@@ -313,16 +337,21 @@ final class MenuPlan {
 
   private static List<Entry> panels(List<String> panels, List<String> ofDebugger) {
     return sub(
+        "panels",
         text("panels"),
         text("show"),
         list(
             shows(panels),
             sub(
+                "debugger",
                 text("debugger"),
                 text("show"),
-                list(shows(ofDebugger), line(), places(text("moveAPanel"), ofDebugger))),
+                list(
+                    shows(ofDebugger),
+                    line(),
+                    places("move-a-panel", text("moveAPanel"), ofDebugger))),
             line(),
-            places(text("moveAPanel"), panels)));
+            places("move-a-panel", text("moveAPanel"), panels)));
   }
 
   private static List<Entry> program() {
@@ -331,11 +360,11 @@ final class MenuPlan {
         line(),
         all("program.answer"),
         line(),
-        sub(text("speed"), "", all("speed")),
-        sub(text("waveforms"), text("waveforms"), all("waveforms")),
-        sub(text("whatIf"), text("whatIf"), all("whatif")),
-        sub(text("sweep"), text("sweep"), all("sweep")),
-        sub(text("tests"), text("tests"), all("tests")),
+        sub("speed", text("speed"), "", all("speed")),
+        sub("waveforms", text("waveforms"), text("waveforms"), all("waveforms")),
+        sub("what-if", text("whatIf"), text("whatIf"), all("whatif")),
+        sub("sweep", text("sweep"), text("sweep"), all("sweep")),
+        sub("tests", text("tests"), text("tests"), all("tests")),
         line(),
         all("program.ask-start"),
         one("editor.follow", "tree.follow"),
@@ -353,7 +382,7 @@ final class MenuPlan {
             "debug.step-over"),
         line(),
         all("past.step-back"),
-        sub(text("inTheRecording"), "", all("past")),
+        sub("in-the-recording", text("inTheRecording"), "", all("past")),
         line(),
         one("editor.breakpoint", "tree.breakpoint"),
         all("debug.conditional-breakpoint", "debug"));
@@ -363,16 +392,16 @@ final class MenuPlan {
     return list(
         all("robot.ready", "robot.off", "robot.choose", "robot.restart"),
         line(),
-        sub(text("robotTime"), "", all("clock")),
-        sub(text("moveByHand"), text("moveByHand"), byHand()),
-        sub(text("installationMenu"), text("showInstallation"), pages()),
-        sub(text("inputsAndRegisters"), "", all("io")),
+        sub("robot-time", text("robotTime"), "", all("clock")),
+        sub("move-by-hand", text("moveByHand"), text("moveByHand"), byHand()),
+        sub("installation", text("installationMenu"), text("showInstallation"), pages()),
+        sub("inputs-and-registers", text("inputsAndRegisters"), "", all("io")),
         line(),
         all("robot.ports", "robot.clients", "robot.ports-switch"),
-        sub(text("messagesOfClients"), "", all("clients")),
+        sub("messages-of-clients", text("messagesOfClients"), "", all("clients")),
         line(),
-        sub(text("controllersOfTheCell"), "", all("controllers")),
-        sub(text("simulation"), "", all("robot.noise", "robot.start-ramp")),
+        sub("controllers-of-the-cell", text("controllersOfTheCell"), "", all("controllers")),
+        sub("simulation", text("simulation"), "", all("robot.noise", "robot.start-ramp")),
         all("robot"));
   }
 
@@ -392,6 +421,7 @@ final class MenuPlan {
         all("installation"),
         line(),
         sub(
+            "safety",
             text("safety"),
             text("showInstallation"),
             all(
@@ -400,6 +430,7 @@ final class MenuPlan {
                 "installation.page-planes",
                 "installation.page-tool-direction")),
         sub(
+            "fieldbus",
             text("fieldbus"),
             text("showInstallation"),
             all(
@@ -413,12 +444,14 @@ final class MenuPlan {
         all("help.documentation", "help.context", "help.shortcuts"),
         line(),
         sub(
+            "examples",
             text("examples"),
             text("example"),
             Stream.of(Example.Topic.values())
                 .<Entry>map(
                     topic ->
                         new Entry.Sub(
+                            topic.name().toLowerCase(Locale.ROOT),
                             topic.title(),
                             text("example"),
                             all("example." + topic.name().toLowerCase(Locale.ROOT))))
@@ -438,24 +471,24 @@ final class MenuPlan {
     return views.stream().<Entry>map(view -> new Entry.Rest("view." + view)).toList();
   }
 
-  private static Menu menu(String title, List<Entry> entries) {
-    return new Menu(title, false, entries);
+  private static Menu menu(String word, String title, List<Entry> entries) {
+    return new Menu(word, title, false, entries);
   }
 
   private static List<Entry> one(String... ids) {
     return List.of(new Entry.One(List.of(ids)));
   }
 
-  private static List<Entry> sub(String title, String said, List<Entry> entries) {
-    return List.of(new Entry.Sub(title, said, entries));
+  private static List<Entry> sub(String word, String title, String said, List<Entry> entries) {
+    return List.of(new Entry.Sub(word, title, said, entries));
   }
 
   private static List<Entry> files(String title) {
     return List.of(new Entry.Files(title));
   }
 
-  private static List<Entry> places(String title, List<String> views) {
-    return List.of(new Entry.Places(title, views));
+  private static List<Entry> places(String word, String title, List<String> views) {
+    return List.of(new Entry.Places(word, title, views));
   }
 
   private static List<Entry> line() {

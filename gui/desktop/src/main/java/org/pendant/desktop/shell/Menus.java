@@ -4,7 +4,6 @@ import static org.pendant.desktop.shell.ShellTexts.text;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -47,7 +46,7 @@ final class Menus {
     // F10 would open the menus; Alt does too.
     bar.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(KeyStroke.getKeyStroke("F10"), "none");
     for (MenuPlan.Menu each : plan) {
-      JMenu menu = menu("menu", each.title());
+      JMenu menu = menu("menu", each.word(), each.title());
       menu.setMnemonic(each.title().charAt(0));
       menu.addMenuListener(new Opening(() -> new Sorted().fill(menu, each.entries(), "")));
       bar.add(menu);
@@ -79,9 +78,9 @@ final class Menus {
     }
   }
 
-  private static JMenu menu(String parent, String title) {
+  private static JMenu menu(String parent, String word, String title) {
     JMenu menu = new JMenu(title);
-    menu.setName(parent + "-" + title.toLowerCase(Locale.ROOT).replace(' ', '-'));
+    menu.setName(parent + "-" + word);
     return menu;
   }
 
@@ -150,13 +149,13 @@ final class Menus {
     }
 
     private JMenu sub(JMenu parent, Entry.Sub entry) {
-      JMenu menu = menu(parent.getName(), entry.title());
+      JMenu menu = menu(parent.getName(), entry.word(), entry.title());
       fill(menu, entry.entries(), entry.said());
       return menu;
     }
 
     private JMenu places(JMenu parent, Entry.Places entry) {
-      JMenu all = menu(parent.getName(), entry.title());
+      JMenu all = menu(parent.getName(), entry.word(), entry.title());
       for (String view : entry.views()) {
         String title = ActionItem.of(actions, "view." + view, text("show")).getText();
         JMenu menu = new JMenu(title);

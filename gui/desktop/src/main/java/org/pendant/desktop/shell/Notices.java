@@ -14,7 +14,6 @@ import java.awt.event.FocusListener;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
@@ -56,17 +55,18 @@ final class Notices extends JPanel {
   /**
    * Something to choose; every choice closes the notice.
    *
+   * @param word with which the name of its button ends
    * @param text of its button
    * @param harmless whether Escape may choose it
    */
-  record Choice(String text, Runnable run, boolean harmless) {
-    Choice(String text, Runnable run) {
-      this(text, run, false);
+  record Choice(String word, String text, Runnable run, boolean harmless) {
+    Choice(String word, String text, Runnable run) {
+      this(word, text, run, false);
     }
 
     /** Leaves everything as it is. */
-    static Choice nothing(String text) {
-      return new Choice(text, () -> {}, true);
+    static Choice nothing(String word, String text) {
+      return new Choice(word, text, () -> {}, true);
     }
   }
 
@@ -91,7 +91,7 @@ final class Notices extends JPanel {
 
   /** Tells something that must not pass unseen. */
   void tell(String name, String text) {
-    ask(name, text, List.of(Choice.nothing(ShellTexts.text("close"))));
+    ask(name, text, List.of(Choice.nothing("close", ShellTexts.text("close"))));
   }
 
   /**
@@ -202,7 +202,7 @@ final class Notices extends JPanel {
 
     private JButton button(String name, String question, Choice choice) {
       JButton button = new JButton(choice.text());
-      button.setName(name + "-" + choice.text().replace(' ', '-').toLowerCase(Locale.ROOT));
+      button.setName(name + "-" + choice.word());
       button.setToolTipText(choice.text());
       button.getAccessibleContext().setAccessibleName(choice.text());
       button.getAccessibleContext().setAccessibleDescription(question);

@@ -255,9 +255,11 @@ final class ProgramFiles {
         "read-only-" + System.identityHashCode(document),
         text("isNotSavedProgramsOfPolyscope", document.name()),
         List.of(
-            new Choice(text("saveACopyAsProgram"), () -> saveAs(document)),
-            new Choice(text("saveACopyAsScript"), () -> saveScript(document)),
-            Choice.nothing(text("close"))));
+            new Choice(
+                "save-a-copy-as-program", text("saveACopyAsProgram"), () -> saveAs(document)),
+            new Choice(
+                "save-a-copy-as-script", text("saveACopyAsScript"), () -> saveScript(document)),
+            Choice.nothing("close", text("close"))));
   }
 
   /** Asks where to save a program. */

@@ -208,8 +208,9 @@ final class RobotChange {
         "robot-change",
         question,
         List.of(
-            new Choice(yes, change),
-            new Choice(text("keep"), () -> showRobot.accept(session.options().robotId()), true)));
+            new Choice("yes", yes, change),
+            new Choice(
+                "keep", text("keep"), () -> showRobot.accept(session.options().robotId()), true)));
     notices.focusHarmless();
   }
 

@@ -273,13 +273,14 @@ final class SceneFiles {
             : text("meshesAreNotInTheNewFolder", copies.size(), copies.getFirst()),
         List.of(
             new Choice(
+                "copy-and-save",
                 text("copyAndSave"),
                 () ->
                     copy(
                         () -> move.get().copy(copies),
                         () -> write(document, path, move, then),
                         then)),
-            new Choice(text("cancel"), () -> then.accept(false), true)));
+            new Choice("cancel", text("cancel"), () -> then.accept(false), true)));
     notices.focus();
   }
 
@@ -422,9 +423,10 @@ final class SceneFiles {
 
   private void trouble(String why, Optional<Path> file) {
     List<Choice> choices = new ArrayList<>();
-    file.ifPresent(path -> choices.add(new Choice(text("tryAgain"), () -> open(path))));
-    choices.add(new Choice(text("openAnother"), this::open));
-    choices.add(Choice.nothing(text("close")));
+    file.ifPresent(
+        path -> choices.add(new Choice("try-again", text("tryAgain"), () -> open(path))));
+    choices.add(new Choice("open-another", text("openAnother"), this::open));
+    choices.add(Choice.nothing("close", text("close")));
     notices.close(CHANGED);
     notices.ask(TROUBLE, text("theSceneCannotBeUsed", why), choices);
   }
@@ -490,7 +492,7 @@ final class SceneFiles {
         CHANGED,
         text("hasChangedOnDisk", current.name()),
         List.of(
-            new Choice(text("readItAgain"), () -> open(now.path())),
-            Choice.nothing(text("keepThisOne"))));
+            new Choice("read-it-again", text("readItAgain"), () -> open(now.path())),
+            Choice.nothing("keep-this-one", text("keepThisOne"))));
   }
 }

@@ -55,6 +55,7 @@ final class StopNotice {
         NAME,
         Messages.told(card.title(), card.message()),
         List.of(
-            new Choice(text("showWhatHappened"), explain), new Choice(text("close"), () -> {})));
+            new Choice("show-what-happened", text("showWhatHappened"), explain),
+            new Choice("close", text("close"), () -> {})));
   }
 }

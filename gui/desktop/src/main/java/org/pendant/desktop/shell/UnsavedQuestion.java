@@ -53,9 +53,9 @@ final class UnsavedQuestion {
             kind.equals("scene") ? "theSceneIsNotSaved" : "theInstallationIsNotSaved",
             document.get().name()),
         List.of(
-            new Choice(text("save"), () -> save.accept(saved)),
-            new Choice(text("continueWithoutSaving"), then),
-            Choice.nothing(text("cancel"))));
+            new Choice("save", text("save"), () -> save.accept(saved)),
+            new Choice("continue-without-saving", text("continueWithoutSaving"), then),
+            Choice.nothing("cancel", text("cancel"))));
     notices.focus();
   }
 }

@@ -95,8 +95,8 @@ final class UrpExport {
         "urp-export",
         draft.name() + UrpPrograms.ENDING + ":\n" + listed(draft.notes()),
         List.of(
-            new Choice(text("exportButton"), () -> save(document, draft)),
-            Choice.nothing(text("cancel"))));
+            new Choice("export", text("exportButton"), () -> save(document, draft)),
+            Choice.nothing("cancel", text("cancel"))));
     notices.focus();
   }
 

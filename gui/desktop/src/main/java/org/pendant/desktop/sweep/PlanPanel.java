@@ -147,7 +147,7 @@ final class PlanPanel extends JPanel {
   }
 
   private JComponent programCard() {
-    TitledCard card = new TitledCard(text("program"), LEFT_TO_RIGHT);
+    TitledCard card = new TitledCard("program", text("program"), LEFT_TO_RIGHT);
     program.setName("sweep-program");
     around.setName("sweep-around");
     JComboBox<String> robot = new JComboBox<>();
@@ -186,7 +186,7 @@ final class PlanPanel extends JPanel {
   }
 
   private JComponent parametersCard() {
-    TitledCard card = new TitledCard(text("whatVaries"), "[grow, fill]");
+    TitledCard card = new TitledCard("what-varies", text("whatVaries"), "[grow, fill]");
     if (card.getLayout() instanceof MigLayout layout) {
       layout.setRowConstraints("[][][grow, fill]");
     }
@@ -213,7 +213,7 @@ final class PlanPanel extends JPanel {
   }
 
   private JComponent variantsCard() {
-    TitledCard card = new TitledCard(text("variants"), "[grow, fill]");
+    TitledCard card = new TitledCard("variants", text("variants"), "[grow, fill]");
     TitledCard.named(method, "sweep-method", text("howTheValuesAreChosen"));
     method.setRenderer(new MethodCell());
     method.addActionListener(
@@ -284,7 +284,7 @@ final class PlanPanel extends JPanel {
   }
 
   private JComponent runCard() {
-    TitledCard card = new TitledCard(text("eachRun"), LEFT_TO_RIGHT);
+    TitledCard card = new TitledCard("each-run", text("eachRun"), LEFT_TO_RIGHT);
     JTextField limit =
         field(
             "time-limit",

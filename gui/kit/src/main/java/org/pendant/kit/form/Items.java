@@ -8,8 +8,6 @@ import java.awt.Insets;
 import java.awt.event.ActionEvent;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -63,6 +61,14 @@ public final class Items<T> {
   private int inForm = -1;
 
   private boolean showing;
+
+  /**
+   * A kind of things that can be added.
+   *
+   * @param word with which the name of its entry ends
+   * @param fresh makes one
+   */
+  public record Kind<T>(String word, String title, Supplier<T> fresh) {}
 
   /** Where the things are kept. */
   public interface Model<T> {
@@ -142,19 +148,23 @@ public final class Items<T> {
     panel.add(form.component(), "gaptop 6");
   }
 
-  /** A button that adds one. */
-  public Items<T> adder(String title, Supplier<T> fresh) {
-    return asker(title, take -> take.accept(fresh.get()));
+  /**
+   * A button that adds one.
+   *
+   * @param word with which its name ends
+   */
+  public Items<T> adder(String word, String title, Supplier<T> fresh) {
+    return asker(word, title, take -> take.accept(fresh.get()));
   }
 
   /**
    * A button that adds one after it has asked for more.
    *
+   * @param word with which its name ends
    * @param ask is handed what adds one
    */
-  public Items<T> asker(String title, Consumer<Consumer<T>> ask) {
+  public Items<T> asker(String word, String title, Consumer<Consumer<T>> ask) {
     JButton button = new JButton(title);
-    String word = title.toLowerCase(Locale.ROOT).replace("...", "").replace(' ', '-');
     TitledCard.named(button, id + "-" + word, title);
     TitledCard.compact(button);
     button.addActionListener(event -> ask.accept(this::add));
@@ -166,19 +176,18 @@ public final class Items<T> {
   /**
    * A button with a menu of what it adds, for many kinds.
    *
-   * @param kinds what each is called, and makes one
+   * @param kinds of things, in their order
    */
-  public Items<T> adders(String title, Map<String, Supplier<T>> kinds) {
+  public Items<T> adders(String title, List<Kind<T>> kinds) {
     JButton button = TitledCard.named(new JButton(title + " \u25be"), id + "-add", title);
     TitledCard.compact(button);
     JPopupMenu menu = new JPopupMenu();
-    kinds.forEach(
-        (kind, fresh) -> {
-          String word = kind.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "-");
-          JMenuItem entry = TitledCard.named(new JMenuItem(kind), id + "-add-" + word, kind);
-          entry.addActionListener(event -> add(fresh.get()));
-          menu.add(entry);
-        });
+    for (Kind<T> kind : kinds) {
+      JMenuItem entry =
+          TitledCard.named(new JMenuItem(kind.title()), id + "-add-" + kind.word(), kind.title());
+      entry.addActionListener(event -> add(kind.fresh().get()));
+      menu.add(entry);
+    }
     button.addActionListener(event -> menu.show(button, 0, button.getHeight()));
     adders.add(button);
     buttons.add(button, adders.size() - 1);

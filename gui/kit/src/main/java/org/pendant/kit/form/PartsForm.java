@@ -227,13 +227,18 @@ public final class PartsForm<T> {
     return field;
   }
 
-  private String nameOf(String label) {
-    return prefix + label.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "-");
+  private String nameOf(String name) {
+    return prefix + name.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "-");
   }
 
-  /** A row for a text. */
-  public PartsForm<T> text(String label, Function<T, String> get, BiFunction<T, String, T> with) {
-    return text(label, label, "", get, with);
+  /**
+   * A row for a text.
+   *
+   * @param name of the field, which is the same in every language; words become one with dashes
+   */
+  public PartsForm<T> text(
+      String name, String label, Function<T, String> get, BiFunction<T, String, T> with) {
+    return text(name, label, label, "", get, with);
   }
 
   /**
@@ -243,12 +248,13 @@ public final class PartsForm<T> {
    * @param empty what is seen in the field while nothing is in it
    */
   public PartsForm<T> text(
+      String name,
       String label,
       String tip,
       String empty,
       Function<T, String> get,
       BiFunction<T, String, T> with) {
-    EntryField field = entry(nameOf(label), tip, get, with::apply);
+    EntryField field = entry(nameOf(name), tip, get, with::apply);
     field.putClientProperty("JTextField.placeholderText", empty);
     row(label, field, new JLabel());
     return this;
@@ -256,8 +262,12 @@ public final class PartsForm<T> {
 
   /** A row for a number. */
   public PartsForm<T> numberRow(
-      String label, Measure unit, ToDoubleFunction<T> get, BiFunction<T, Double, T> with) {
-    row(label, number(nameOf(label), label, unit, get, with), unit(unit));
+      String name,
+      String label,
+      Measure unit,
+      ToDoubleFunction<T> get,
+      BiFunction<T, Double, T> with) {
+    row(label, number(nameOf(name), label, unit, get, with), unit(unit));
     return this;
   }
 
@@ -269,6 +279,7 @@ public final class PartsForm<T> {
    * @param without what is to be seen there where nothing holds
    */
   public PartsForm<T> optionalNumber(
+      String name,
       String label,
       Supplier<String> hint,
       Measure unit,
@@ -278,7 +289,7 @@ public final class PartsForm<T> {
       BiFunction<T, OptionalDouble, T> with) {
     EntryField field =
         entry(
-            nameOf(label),
+            nameOf(name),
             label,
             now -> {
               OptionalDouble number = get.apply(now);
@@ -315,12 +326,13 @@ public final class PartsForm<T> {
 
   /** A row for one of several. */
   public <C> PartsForm<T> choice(
+      String name,
       String label,
       Function<T, List<C>> choices,
       Function<C, String> words,
       Function<T, C> get,
       BiFunction<T, C, T> with) {
-    return choice(label, label, choices, words, get, with);
+    return choice(name, label, label, choices, words, get, with);
   }
 
   /**
@@ -329,6 +341,7 @@ public final class PartsForm<T> {
    * @param tip what it is for
    */
   public <C> PartsForm<T> choice(
+      String name,
       String label,
       String tip,
       Function<T, List<C>> choices,
@@ -336,7 +349,7 @@ public final class PartsForm<T> {
       Function<T, C> get,
       BiFunction<T, C, T> with) {
     JComboBox<C> box =
-        TitledCard.named(ShownFocus.of(new Choice<>(words)), id + "-" + nameOf(label), tip);
+        TitledCard.named(ShownFocus.of(new Choice<>(words)), id + "-" + nameOf(name), tip);
     box.setRenderer(new Words<>(words));
     Remark problem = new Remark(box.getName() + "-problem", Palette::error);
     List<C> shown = new ArrayList<>();
@@ -365,9 +378,9 @@ public final class PartsForm<T> {
             choose(problem, before -> with.apply(before, wanted));
           }
         });
-    JLabel name = new JLabel(label);
-    name.setLabelFor(box);
-    panel.add(name);
+    JLabel title = new JLabel(label);
+    title.setLabelFor(box);
+    panel.add(title);
     panel.add(box, FIELD + ", wrap");
     panel.add(problem, "skip 1, span 2, wrap, " + Remark.LAYOUT);
     return this;
@@ -395,8 +408,8 @@ public final class PartsForm<T> {
 
   /** A row for yes or no. */
   public PartsForm<T> check(
-      String label, Function<T, Boolean> get, BiFunction<T, Boolean, T> with) {
-    return check(label, label, get, with);
+      String name, String label, Function<T, Boolean> get, BiFunction<T, Boolean, T> with) {
+    return check(name, label, label, get, with);
   }
 
   /**
@@ -405,9 +418,13 @@ public final class PartsForm<T> {
    * @param tip what it is for
    */
   public PartsForm<T> check(
-      String label, String tip, Function<T, Boolean> get, BiFunction<T, Boolean, T> with) {
+      String name,
+      String label,
+      String tip,
+      Function<T, Boolean> get,
+      BiFunction<T, Boolean, T> with) {
     JCheckBox box =
-        TitledCard.named(ShownFocus.of(new JCheckBox(label)), id + "-" + nameOf(label), tip);
+        TitledCard.named(ShownFocus.of(new JCheckBox(label)), id + "-" + nameOf(name), tip);
     box.setOpaque(false);
     Remark problem = new Remark(box.getName() + "-problem", Palette::error);
     followers.add(

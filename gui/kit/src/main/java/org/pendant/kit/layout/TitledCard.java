@@ -1,6 +1,5 @@
 package org.pendant.kit.layout;
 
-import java.util.Locale;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -15,13 +14,14 @@ public final class TitledCard extends JPanel {
   /**
    * An empty card.
    *
+   * @param word with which its name ends
    * @param columns of the grid below the title, as MigLayout reads them
    */
-  public TitledCard(String title, String columns) {
+  public TitledCard(String word, String title, String columns) {
     super(new MigLayout("insets 12 16 12 16, gap 8 4, wrap, hidemode 3", columns));
     putClientProperty("FlatLaf.style", "arc: 16");
     setBackground(Palette.card());
-    setName("card-" + title.toLowerCase(Locale.ROOT).replace(' ', '-'));
+    setName("card-" + word);
     getAccessibleContext().setAccessibleName(title);
     JLabel heading = new JLabel(title);
     heading.putClientProperty("FlatLaf.styleClass", "h4");

@@ -20,7 +20,7 @@ final class SettledScrollTest {
           text.setWrapStyleWord(true);
           text.setColumns(10);
           JLabel below = new JLabel("below");
-          TitledCard card = new TitledCard("Text", "[grow, fill]");
+          TitledCard card = new TitledCard("text", "Text", "[grow, fill]");
           card.add(text, "growx, width 0:10:");
           below.setPreferredSize(new Dimension(330, 20));
           card.add(below);

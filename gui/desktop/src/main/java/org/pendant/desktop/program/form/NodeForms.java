@@ -247,7 +247,11 @@ public final class NodeForms {
             presenter, checks, catalogue, form.kind(), this::showProblems, this::renderLater);
     for (NodeForm.Part part : form.parts()) {
       String title = part.title().isEmpty() ? text("settings") : part.title();
-      TitledCard card = new TitledCard(title, "[][grow, fill]");
+      TitledCard card =
+          new TitledCard(
+              part.title().isEmpty() ? "settings" : part.items().getFirst().name(),
+              title,
+              "[][grow, fill]");
       for (Item item : part.items()) {
         Shown old = before.remove(item.name());
         FieldView view =

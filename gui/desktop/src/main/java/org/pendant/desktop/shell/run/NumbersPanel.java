@@ -15,16 +15,22 @@ final class NumbersPanel {
   private final List<JLabel> names = new ArrayList<>();
   private final List<JLabel> values = new ArrayList<>();
 
-  NumbersPanel(String name, String title, List<String> rows) {
+  /**
+   * Without numbers yet.
+   *
+   * @param words with which the names of the numbers' components end
+   */
+  NumbersPanel(String name, String title, List<String> words, List<String> rows) {
     card.setName(name);
     JLabel heading = new JLabel(title);
     heading.putClientProperty("FlatLaf.styleClass", "h4");
     card.add(heading, "span 2");
-    for (String row : rows) {
+    for (int i = 0; i < rows.size(); i++) {
+      String row = rows.get(i);
       JLabel label = new JLabel(row);
       JLabel value = new JLabel();
       value.putClientProperty("FlatLaf.styleClass", "monospaced");
-      value.setName(name + "-" + row.replace(' ', '-'));
+      value.setName(name + "-" + words.get(i));
       value.getAccessibleContext().setAccessibleDescription(title + " " + row);
       names.add(label);
       values.add(value);

@@ -44,6 +44,10 @@ record RunFacts(
     String waiting,
     List<String> tcp,
     List<String> joints) {
+  /** With which the names of joints' components end, base first. */
+  static final List<String> JOINT_WORDS =
+      List.of("base", "shoulder", "elbow", "wrist-1", "wrist-2", "wrist-3");
+
   /** Names of the joints, base first. */
   static final List<String> JOINTS =
       List.of(

@@ -6,7 +6,6 @@ import com.formdev.flatlaf.util.UIScale;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.function.Consumer;
@@ -71,9 +70,10 @@ public final class RunView implements View {
   private final StopPanel stop;
   private final VariablesPanel variables;
   private final MessagesPanel messages = new MessagesPanel();
-  private final NumbersPanel tcp = new NumbersPanel("run-tcp", text("tcpInTheBase"), RunFacts.POSE);
+  private final NumbersPanel tcp =
+      new NumbersPanel("run-tcp", text("tcpInTheBase"), RunFacts.POSE, RunFacts.POSE);
   private final NumbersPanel joints =
-      new NumbersPanel("run-joints", text("joints"), RunFacts.JOINTS);
+      new NumbersPanel("run-joints", text("joints"), RunFacts.JOINT_WORDS, RunFacts.JOINTS);
   private Optional<RunNode> shownNode = Optional.empty();
   private final List<ActionButton> buttons;
   private final ActionButtons buttonRow;
@@ -135,7 +135,7 @@ public final class RunView implements View {
 
   private static ActionButton button(ActionTable actions, String id, String text, Icon icon) {
     ActionButton button = new ActionButton(actions, id, text, icon);
-    button.setName("run-view-" + text.toLowerCase(Locale.ROOT));
+    button.setName("run-view-" + id.substring(id.indexOf('.') + 1));
     button.putClientProperty("FlatLaf.styleClass", "large");
     return button;
   }
