@@ -27,6 +27,7 @@ import javax.swing.KeyStroke;
 import javax.swing.Scrollable;
 import javax.swing.SwingUtilities;
 import javax.swing.ToolTipManager;
+import org.pendant.desktop.unit.PoseForm;
 import org.pendant.kit.dock.Dockable;
 import org.pendant.kit.text.Messages;
 
@@ -39,6 +40,7 @@ final class TimelineCanvas extends JComponent implements Scrollable {
   private static final double ZOOM = 1.25;
 
   private final LookBack lookBack;
+  private final Supplier<PoseForm> form;
   private final TimelinePainter painter = new TimelinePainter();
   private final Pins pins;
   private Tracks tracks = Tracks.NONE;
@@ -46,8 +48,14 @@ final class TimelineCanvas extends JComponent implements Scrollable {
   private Supplier<List<ClientMark>> clients = List::of;
   private LongConsumer chosen = number -> {};
 
-  TimelineCanvas(LookBack lookBack) {
+  /**
+   * A timeline of {@code lookBack}.
+   *
+   * @param form in which units people read what is written on it
+   */
+  TimelineCanvas(LookBack lookBack, Supplier<PoseForm> form) {
     this.lookBack = lookBack;
+    this.form = form;
     pins = new Pins(lookBack);
     setName("timeline-canvas");
     setFocusable(true);
@@ -210,7 +218,7 @@ final class TimelineCanvas extends JComponent implements Scrollable {
         .or(
             () ->
                 mark.map(each -> text("messageOfClient", LookBack.text(each.timeS()), each.text())))
-        .orElseGet(() -> tracks.about(timeS, near(), places));
+        .orElseGet(() -> tracks.about(timeS, near(), places, form.get()));
   }
 
   @Override
@@ -223,7 +231,13 @@ final class TimelineCanvas extends JComponent implements Scrollable {
     Graphics2D pen = (Graphics2D) graphics.create();
     pen.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
     pen.setFont(getFont());
-    painter.paint(pen, getSize(), tracks, clientMarks(), pins.all(), lookBack, isFocusOwner());
+    painter.paint(
+        pen,
+        getSize(),
+        tracks,
+        clientMarks(),
+        pins.all(),
+        new TimelinePainter.Looking(lookBack, form.get(), isFocusOwner()));
     pen.dispose();
   }
 

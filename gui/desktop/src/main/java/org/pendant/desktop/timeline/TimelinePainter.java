@@ -17,7 +17,10 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.Locale;
+import org.pendant.desktop.unit.PoseForm;
+import org.pendant.desktop.unit.ShownMeasure;
 import org.pendant.desktop.unit.TimeStep;
+import org.pendant.kit.form.Measure;
 import org.pendant.kit.theme.Palette;
 import org.pendant.recording.ColumnTrace;
 import org.pendant.recording.RecordingMark;
@@ -111,14 +114,22 @@ final class TimelinePainter {
     return UIScale.scale(4);
   }
 
+  /**
+   * How people look at it.
+   *
+   * @param form in which units they read
+   * @param focused whether it has the keyboard
+   */
+  record Looking(LookBack at, PoseForm form, boolean focused) {}
+
   void paint(
       Graphics2D pen,
       Dimension size,
       Tracks tracks,
       List<ClientMark> clients,
       List<Pin> pins,
-      LookBack at,
-      boolean focused) {
+      Looking looking) {
+    LookBack at = looking.at();
     pen.setRenderingHint(
         RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
     pen.setColor(Palette.card());
@@ -132,7 +143,7 @@ final class TimelinePainter {
     if (width < 1) {
       return;
     }
-    Sheet sheet = new Sheet(pen, at.range(), left, width, metrics, pen.getClip());
+    Sheet sheet = new Sheet(pen, at.range(), left, width, metrics, pen.getClip(), looking.form());
     double y = axis(sheet, size.height, at);
     double[] heights = heights(size.height - y, metrics.getHeight());
     for (int i = 0; i < rows.size(); i++) {
@@ -150,7 +161,7 @@ final class TimelinePainter {
       pen.setClip(sheet.clip);
       y += height + gap();
     }
-    cursor(sheet, size, at, focused);
+    cursor(sheet, size, at, looking.focused());
   }
 
   /** The last row takes what is left; where there is little, all get less. */
@@ -170,9 +181,16 @@ final class TimelinePainter {
    * Where things are drawn.
    *
    * @param clip what of it is to be painted
+   * @param form in which units people read what is written
    */
   record Sheet(
-      Graphics2D pen, TimeRange range, int left, int width, FontMetrics metrics, Shape clip) {
+      Graphics2D pen,
+      TimeRange range,
+      int left,
+      int width,
+      FontMetrics metrics,
+      Shape clip,
+      PoseForm form) {
     double x(double timeS) {
       return left + range.share(timeS) * width;
     }
@@ -430,7 +448,8 @@ final class TimelinePainter {
     sheet.pen.draw(curve);
     sheet.pen.setStroke(new BasicStroke(1));
     sheet.pen.setColor(Palette.quiet());
-    String text = String.format(Locale.ROOT, "%.0f mm/s", 1000 * top);
+    Measure measure = ShownMeasure.of(Measure.MILLIMETRE_PER_S, sheet.form);
+    String text = measure.brief(top) + " " + measure.symbol();
     double base = y + (height + sheet.metrics.getAscent() - sheet.metrics.getDescent()) / 2;
     // Below the name of the row, where there is room.
     if (height > 2 * sheet.metrics.getHeight()) {

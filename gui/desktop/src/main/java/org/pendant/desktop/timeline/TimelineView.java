@@ -36,6 +36,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.world.Scene;
 import org.pendant.desktop.session.Branching;
 import org.pendant.desktop.session.RobotSession;
+import org.pendant.desktop.unit.FormMemory;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
@@ -97,7 +98,7 @@ public final class TimelineView implements View {
             EventQueue::invokeLater,
             workbench::notify,
             this::showBranch);
-    canvas = new TimelineCanvas(lookBack);
+    canvas = new TimelineCanvas(lookBack, () -> FormMemory.read(workbench.settings()));
     watch = new TrackWatch(canvas::show);
     content.setName("timeline-view");
     content.getAccessibleContext().setAccessibleName(title());

@@ -12,6 +12,10 @@ import java.util.stream.IntStream;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.world.LinkHit;
+import org.pendant.desktop.unit.PoseForm;
+import org.pendant.desktop.unit.SentenceUnits;
+import org.pendant.desktop.unit.ShownMeasure;
+import org.pendant.kit.form.Measure;
 import org.pendant.kit.text.Messages;
 import org.pendant.language.source.ByteText;
 import org.pendant.recording.Column;
@@ -149,7 +153,7 @@ record Tracks(
   }
 
   /** With how near something was at a time, such as {@code 3.000 s, nearest 34 mm}. */
-  private String withNearest(String about, double timeS) {
+  private String withNearest(String about, double timeS, PoseForm form) {
     if (nearestM.isEmpty()) {
       return about;
     }
@@ -158,27 +162,35 @@ record Tracks(
     if (i < 0 || i >= trace.size() || Double.isNaN(trace.lowest(i))) {
       return about;
     }
-    double mm = 1000 * trace.lowest(i);
-    if (mm < 0) {
-      return text("insideOfSomething", about, String.format(Locale.ROOT, "%.1f", -mm));
+    double leastM = trace.lowest(i);
+    if (leastM < 0) {
+      return text("insideOfSomething", about, length(-leastM, 1, form));
     }
-    double objectMm = 1000 * objectM.map(objects -> objects.lowest(i)).orElse(Double.NaN);
-    String least = String.format(Locale.ROOT, "%.0f", mm);
-    String object = String.format(Locale.ROOT, "%.0f", objectMm);
-    return Double.isNaN(objectMm) || object.equals(least)
+    double objectM = this.objectM.map(objects -> objects.lowest(i)).orElse(Double.NaN);
+    String least = length(leastM, 0, form);
+    String object = length(objectM, 0, form);
+    return Double.isNaN(objectM) || object.equals(least)
         ? text("nearestAt", about, least)
         : text("nearestAndLinks", about, object, least);
   }
 
-  /** What there is at a time, in words. */
-  String about(double timeS, double nearS, MomentPlaces places) {
+  /** A distance as exact as so many decimals of a millimetre. */
+  private static String length(double lengthM, int decimals, PoseForm form) {
+    Measure measure = ShownMeasure.of(Measure.MILLIMETRE, form);
+    int more = (int) Math.ceil(Math.log10(Measure.MILLIMETRE.shown(1) / measure.shown(1)));
+    return String.format(
+        Locale.ROOT, "%." + (decimals + more) + "f %s", measure.shown(lengthM), measure.symbol());
+  }
+
+  /** What there is at a time, in words, with numbers in the units of {@code form}. */
+  String about(double timeS, double nearS, MomentPlaces places, PoseForm form) {
     String about = LookBack.text(timeS);
     for (RecordingMark mark : marks) {
       if (Math.abs(mark.timeS() - timeS) <= nearS) {
         return text(
             "markAt",
             LookBack.text(mark.timeS()),
-            at(words(mark), mark.timeS(), mark.line(), places));
+            at(SentenceUnits.in(words(mark), form), mark.timeS(), mark.line(), places));
       }
     }
     for (Warning warning : warnings) {
@@ -186,7 +198,7 @@ record Tracks(
         return text(
             "warningAt",
             LookBack.text(warning.timeS),
-            at(warning.words, warning.timeS, warning.line, places));
+            at(SentenceUnits.in(warning.words, form), warning.timeS, warning.line, places));
       }
     }
     for (Run run : runs) {
@@ -199,7 +211,7 @@ record Tracks(
         about = text("startRamp", about);
       }
     }
-    return withNearest(about, timeS);
+    return withNearest(about, timeS, form);
   }
 
   private static String words(RecordingMark mark) {

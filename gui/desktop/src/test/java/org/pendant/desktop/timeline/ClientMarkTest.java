@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import javax.swing.KeyStroke;
 import org.junit.jupiter.api.Test;
+import org.pendant.desktop.unit.PoseForm;
 import org.pendant.kit.dispatch.OnDispatchThread;
 
 @OnDispatchThread
@@ -20,7 +21,7 @@ final class ClientMarkTest {
 
   private final RecordedRun run = new RecordedRun().frames(500);
   private final LookBack lookBack = new LookBack(run.ring::recording, text -> {});
-  private final TimelineCanvas canvas = new TimelineCanvas(lookBack);
+  private final TimelineCanvas canvas = new TimelineCanvas(lookBack, () -> PoseForm.STANDARD);
   private final List<Long> shown = new ArrayList<>();
 
   ClientMarkTest() {

@@ -13,6 +13,9 @@ import org.pendant.controller.world.Material;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
+import org.pendant.desktop.unit.DisplayUnit;
+import org.pendant.desktop.unit.PoseForm;
+import org.pendant.desktop.unit.RotationForm;
 import org.pendant.recording.RecordingMark;
 import org.pendant.recording.RecordingMark.Kind;
 
@@ -85,8 +88,19 @@ final class TracksTest {
     Tracks tracks = Tracks.of(run.ring.recording(), new TimeRange(0, 0.1), 50, false, true);
     assertTrue(tracks.nearestM().orElseThrow().lowest(20) > 0.01);
     assertTrue(
-        tracks.about(0.05, 0, NODES).matches(".*p runs, nearest \\d+ mm"),
-        tracks.about(0.05, 0, NODES));
+        tracks.about(0.05, 0, NODES, PoseForm.STANDARD).matches(".*p runs, nearest \\d+ mm"),
+        tracks.about(0.05, 0, NODES, PoseForm.STANDARD));
+  }
+
+  @Test
+  void distancesAreInTheUnitsOfPeople() {
+    RecordedRun run = new RecordedRun().frames(50);
+    Tracks tracks = Tracks.of(run.ring.recording(), new TimeRange(0, 0.1), 50, false, true);
+    PoseForm inches = new PoseForm(DisplayUnit.INCH, DisplayUnit.DEGREE, RotationForm.VECTOR);
+    PoseForm metres = new PoseForm(DisplayUnit.METRE, DisplayUnit.DEGREE, RotationForm.VECTOR);
+    assertEquals("0.050 s, nearest 97 mm", tracks.about(0.05, 0, NODES, PoseForm.STANDARD));
+    assertEquals("0.050 s, nearest 0.097 m", tracks.about(0.05, 0, NODES, metres));
+    assertEquals("0.050 s, nearest 3.82 in", tracks.about(0.05, 0, NODES, inches));
   }
 
   @Test
@@ -102,7 +116,7 @@ final class TracksTest {
         LookBack.text(0.05)
             + String.format(
                 Locale.ROOT, ", nearest %.0f mm, links 97 mm from each other", 1000 * objectM),
-        tracks.about(0.05, 0, NODES));
+        tracks.about(0.05, 0, NODES, PoseForm.STANDARD));
   }
 
   @Test
@@ -115,9 +129,10 @@ final class TracksTest {
         LookBack.text(warning.timeS())
             + ": warning: motion_version_set: ur5e has no motion version 99, it stays at 1 (node 2"
             + " at 0.1 s)",
-        tracks.about(warning.timeS() + 0.001, 0.002, NODES));
+        tracks.about(warning.timeS() + 0.001, 0.002, NODES, PoseForm.STANDARD));
     assertFalse(
-        tracks.about(0.05, 0.002, NODES).contains("warning"), tracks.about(0.05, 0.002, NODES));
+        tracks.about(0.05, 0.002, NODES, PoseForm.STANDARD).contains("warning"),
+        tracks.about(0.05, 0.002, NODES, PoseForm.STANDARD));
   }
 
   @Test
@@ -145,7 +160,9 @@ final class TracksTest {
     assertEquals("p", tracks.runs().getFirst().name());
     assertFalse(tracks.speedMPerS().isEmpty());
     assertTrue(tracks.nearestM().isEmpty());
-    assertTrue(tracks.about(0.05, 0, NODES).endsWith("p runs"), tracks.about(0.05, 0, NODES));
+    assertTrue(
+        tracks.about(0.05, 0, NODES, PoseForm.STANDARD).endsWith("p runs"),
+        tracks.about(0.05, 0, NODES, PoseForm.STANDARD));
   }
 
   @Test
@@ -162,8 +179,12 @@ final class TracksTest {
     assertEquals(1, tracks.startRamps().size(), tracks.startRamps()::toString);
     assertEquals(0.102, tracks.startRamps().getFirst().fromS(), 1e-9);
     assertEquals(0.262, tracks.startRamps().getFirst().toS(), 1e-9);
-    assertTrue(tracks.about(0.2, 0, NODES).contains("start ramp"), tracks.about(0.2, 0, NODES));
-    assertFalse(tracks.about(0.3, 0, NODES).contains("start ramp"), tracks.about(0.3, 0, NODES));
+    assertTrue(
+        tracks.about(0.2, 0, NODES, PoseForm.STANDARD).contains("start ramp"),
+        tracks.about(0.2, 0, NODES, PoseForm.STANDARD));
+    assertFalse(
+        tracks.about(0.3, 0, NODES, PoseForm.STANDARD).contains("start ramp"),
+        tracks.about(0.3, 0, NODES, PoseForm.STANDARD));
     Tracks without = Tracks.of(run.ring.recording(), new TimeRange(0, 1.2), 600, false, false);
     assertEquals(List.of(), without.startRamps());
   }
