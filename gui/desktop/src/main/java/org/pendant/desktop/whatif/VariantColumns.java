@@ -22,6 +22,11 @@ final class VariantColumns {
     return columns.stream().mapToInt(Width::least).sum();
   }
 
+  /** By what all columns are whole together, in pixels. */
+  static int whole(List<Width> columns) {
+    return columns.stream().mapToInt(Width::wanted).sum();
+  }
+
   /** The widths; the last column takes what is left over. */
   static int[] fit(int room, List<Width> columns) {
     int[] widths = columns.stream().mapToInt(Width::least).toArray();

@@ -97,12 +97,15 @@ final class VariantTable extends EditableTable {
   /** In a narrow dock the last columns are scrolled to, rather than all cut off. */
   @Override
   public boolean getScrollableTracksViewportWidth() {
-    return getParent() != null && getParent().getWidth() >= getPreferredSize().width;
+    return getParent() != null && getParent().getWidth() >= VariantColumns.least(widths());
   }
 
+  /** Where people have to scroll, nothing is cut. */
   @Override
   public Dimension getPreferredSize() {
-    return new Dimension(VariantColumns.least(widths()), super.getPreferredSize().height);
+    boolean scrolls = getParent() != null && !getScrollableTracksViewportWidth();
+    int width = scrolls ? VariantColumns.whole(widths()) : VariantColumns.least(widths());
+    return new Dimension(width, super.getPreferredSize().height);
   }
 
   @Override

@@ -12,8 +12,10 @@ import java.awt.image.BufferedImage;
 import java.util.OptionalLong;
 import java.util.function.Consumer;
 import javax.swing.JLabel;
+import javax.swing.JScrollPane;
 import org.junit.jupiter.api.Test;
 import org.pendant.desktop.unit.PoseForm;
+import org.pendant.kit.layout.Parts;
 import org.pendant.kit.theme.Palette;
 import org.pendant.recording.replay.RerunRefused;
 import org.pendant.recording.whatif.Variant;
@@ -91,6 +93,20 @@ final class VariantTableTest {
           MouseEvent over =
               new MouseEvent(table, MouseEvent.MOUSE_MOVED, 0, 0, cell.x + 5, cell.y + 5, 0, false);
           assertEquals(why, table.getToolTipText(over));
+        });
+  }
+
+  @Test
+  void resultIsWholeInADockThatIsSoNarrowThatPeopleHaveToScroll() throws Exception {
+    String why = "C157A4 protective stop at 12.344 s: the wrist 2 has hit \"table\"";
+    EventQueue.invokeAndWait(
+        () -> {
+          VariantTable table = refusing(why);
+          JScrollPane dock = new JScrollPane(table);
+          dock.setSize(300, 200);
+          Parts.layOut(dock);
+          int needed = table.getFontMetrics(table.getFont()).stringWidth(why);
+          assertTrue(result(table).width >= needed, () -> result(table) + " of " + needed);
         });
   }
 
