@@ -28,6 +28,7 @@ import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.background.WorkerThread;
 import org.pendant.kit.layout.WrappingRow;
+import org.pendant.kit.table.RowKeys;
 import org.pendant.script.debug.Breakpoint;
 
 /**
@@ -92,6 +93,7 @@ public final class BreakpointsView implements View {
     table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     table.setShowGrid(false);
     table.setFillsViewportHeight(true);
+    RowKeys.install(table);
     DebugPanel.alignTitles(table);
     table.putClientProperty("JTable.autoStartsEdit", false);
     table.putClientProperty("terminateEditOnFocusLost", true);

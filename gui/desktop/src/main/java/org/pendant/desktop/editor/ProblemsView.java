@@ -22,6 +22,7 @@ import org.pendant.desktop.editor.text.AnalysedText;
 import org.pendant.desktop.editor.text.Problem;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
+import org.pendant.kit.table.RowKeys;
 import org.pendant.kit.theme.Palette;
 
 /**
@@ -74,6 +75,7 @@ public final class ProblemsView implements View {
     table.getAccessibleContext().setAccessibleName(text("problems"));
     table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     table.setFillsViewportHeight(true);
+    RowKeys.install(table);
     table.setDefaultRenderer(String.class, new Cell());
     table.setAutoCreateRowSorter(true);
     width(0, 72, 88);

@@ -46,6 +46,7 @@ import org.pendant.kit.export.SaveRequest;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.layout.WrappingRow;
+import org.pendant.kit.table.RowKeys;
 import org.pendant.kit.table.TableLook;
 import org.pendant.protocols.trace.LiveTrace;
 import org.pendant.protocols.trace.WireMessage;
@@ -278,6 +279,7 @@ public final class ClientsView implements View {
     table.setName(name);
     table.getAccessibleContext().setAccessibleName(meaning);
     table.setFillsViewportHeight(true);
+    RowKeys.install(table);
     // Tab leaves the table: nothing in its cells can be changed.
     table.setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
     table.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);

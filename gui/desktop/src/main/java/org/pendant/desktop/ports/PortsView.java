@@ -33,6 +33,7 @@ import org.pendant.kit.layout.SettledScroll;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.layout.WideContent;
+import org.pendant.kit.table.RowKeys;
 import org.pendant.kit.table.TableLook;
 import org.pendant.kit.text.Messages;
 import org.pendant.kit.theme.Palette;
@@ -168,6 +169,7 @@ public final class PortsView implements View {
     table.setName("ports-table");
     table.getAccessibleContext().setAccessibleName(PortsTexts.text("openPorts"));
     table.setFillsViewportHeight(true);
+    RowKeys.install(table);
     table.setShowGrid(false);
     table.getColumnModel().getColumn(0).setPreferredWidth(170);
     table.getColumnModel().getColumn(1).setPreferredWidth(150);

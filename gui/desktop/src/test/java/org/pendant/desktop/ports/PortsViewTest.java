@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.EventQueue;
 import java.awt.Point;
+import java.awt.event.ActionEvent;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
@@ -41,6 +42,23 @@ final class PortsViewTest {
             layOut(view, 1200);
             int end = SwingUtilities.convertPoint(table, 0, table.getHeight(), view.component()).y;
             assertTrue(end > 1150 && end <= 1200, () -> "the table ends at " + end);
+          });
+    }
+  }
+
+  @Test
+  void upBeginsAtTheLastPort() throws Exception {
+    try (RobotSession session = RobotSession.start(ControllerOptions.headless())) {
+      DesktopPorts ports = new DesktopPorts(session, folder, visit -> {});
+      ports.want(Optional.of(FreePorts.wishes(folder)));
+      EventQueue.invokeAndWait(
+          () -> {
+            PortsView view = new PortsView(new PreviewWorkbench(), ports);
+            JTable table = (JTable) Parts.named(view.component(), "ports-table");
+            String up = "selectPreviousRow";
+            ActionEvent pressed = new ActionEvent(table, ActionEvent.ACTION_PERFORMED, up);
+            table.getActionMap().get(up).actionPerformed(pressed);
+            assertEquals(table.getRowCount() - 1, table.getSelectedRow());
           });
     }
   }
