@@ -96,6 +96,26 @@ final class StopCardTest {
   }
 
   @Test
+  void sentenceOfAStopNamesAJointOnce() {
+    SafetyStop stop =
+        new SafetyStop(
+            SafetyMode.PROTECTIVE_STOP,
+            StopCategory.TWO,
+            157,
+            1,
+            OptionalInt.of(1),
+            1.5,
+            167,
+            52,
+            "Nm",
+            "C157A1 protective stop at 1.500 s: shoulder (joint 1) is pushed from outside: 167 Nm,"
+                + " limit 52 Nm");
+    assertEquals(
+        "Shoulder is pushed from outside",
+        StopCard.of(stop, Optional.empty(), List.of(), PoseForm.STANDARD).message());
+  }
+
+  @Test
   void theStopCardHasEachNumberOnceAndOfWhatTheSafetyFunctionsLookedAt() {
     SafetyStop stop =
         new SafetyStop(
