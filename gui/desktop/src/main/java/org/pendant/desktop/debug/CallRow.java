@@ -5,6 +5,7 @@ import static org.pendant.desktop.debug.DebugTexts.text;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntFunction;
+import org.pendant.kit.text.Messages;
 import org.pendant.script.vm.ThreadSnapshot;
 
 /**
@@ -30,8 +31,13 @@ record CallRow(int thread, int depth, String name, String place) {
     for (ThreadSnapshot each : threads) {
       String number = each.id() == 0 ? text("mainThread") : text("thread", each.id());
       String waits = each.waitsFor().isEmpty() ? text("ready") : text("waitsIn", each.waitsFor());
-      String at = ", " + where(each.stack().getFirst(), places);
-      rows.add(new CallRow(each.id(), 0, number + ": " + each.name(), waits + at));
+      String at = where(each.stack().getFirst(), places);
+      rows.add(
+          new CallRow(
+              each.id(),
+              0,
+              Messages.told(number, each.name()),
+              Messages.joined(List.of(waits, at))));
       int depth = each.stack().size();
       for (ThreadSnapshot.Level level : each.stack()) {
         rows.add(new CallRow(each.id(), depth, level.function(), where(level, places)));

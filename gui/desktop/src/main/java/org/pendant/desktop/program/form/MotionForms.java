@@ -10,6 +10,7 @@ import org.pendant.controller.installation.NamedTool;
 import org.pendant.desktop.program.form.Item.Option;
 import org.pendant.desktop.unit.ShownMeasure;
 import org.pendant.kit.form.Measure;
+import org.pendant.kit.text.Messages;
 import org.pendant.models.arm.Joints;
 import org.pendant.project.program.MotionStep;
 import org.pendant.project.program.MoveKind;
@@ -378,7 +379,7 @@ final class MotionForms {
       places.add(text(JOINTS.get(i), angle.text(at.get(i))));
     }
     return form.part(text("whereItIs"))
-        .quiet("place", text("jointsIn", angle.symbol(), String.join(", ", places)))
+        .quiet("place", text("jointsIn", angle.symbol(), Messages.joined(places)))
         .build();
   }
 }
