@@ -121,6 +121,9 @@ public final class Look {
     colors.put("@foreground", dark ? "#DCE1E7" : "#1D2329");
     colors.put("@componentBackground", dark ? "#2B2F34" : "#FFFFFF");
     colors.put("@disabledForeground", dark ? "#858D97" : "#6F7780");
+    if (Language.ofProcess() == Language.CHINESE) {
+      colors.put("semibold.font", "bold");
+    }
     colors.put("Component.arc", "6");
     colors.put("Button.arc", "6");
     colors.put("ScrollBar.width", "11");
