@@ -7,11 +7,13 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.geom.Line2D;
+import java.util.List;
 import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import org.pendant.kit.text.Messages;
 import org.pendant.kit.theme.Palette;
 
 /** Legend item: one line's colour, name and value, and the button that removes it. */
@@ -35,7 +37,7 @@ final class LegendItem extends JPanel {
     setOpaque(false);
     String title = trace.quantity().namedLabel();
     name = new JLabel(Legend.below(common, title), new Swatch(trace.color()), JLabel.LEADING);
-    name.setToolTipText(title + ", " + trace.quantity().id());
+    name.setToolTipText(Messages.joined(List.of(title, trace.quantity().id())));
     value.setName("plot-value-" + trace.quantity().id());
     value.setToolTipText(text("valueOf", title));
     value.putClientProperty("FlatLaf.styleClass", "monospaced");

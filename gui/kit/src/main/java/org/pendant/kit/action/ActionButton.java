@@ -5,6 +5,7 @@ import java.awt.Point;
 import java.awt.event.MouseEvent;
 import javax.swing.Icon;
 import javax.swing.JToolTip;
+import org.pendant.kit.text.Messages;
 
 /** A button that does an action of the table and shows whether it can be done, and why not. */
 @SuppressWarnings("serial") // never written to a stream
@@ -54,8 +55,7 @@ public final class ActionButton extends RoomyButton {
     String title = actions.find(id).map(Action::title).orElse(id);
     String keys = KeyText.shown(actions.keysOf(id));
     String reason = actions.reason(id);
-    return title
-        + (keys.isEmpty() ? "" : " (" + keys + ")")
-        + (reason.isEmpty() ? "" : ": " + reason);
+    String whole = keys.isEmpty() ? title : title + " (" + keys + ")";
+    return reason.isEmpty() ? whole : Messages.told(whole, reason);
   }
 }

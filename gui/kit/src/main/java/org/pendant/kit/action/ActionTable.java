@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import javax.swing.KeyStroke;
 import org.pendant.kit.settings.Settings;
+import org.pendant.kit.text.Messages;
 
 /**
  * Action table: the actions of one window. On macOS they are done with Cmd where they come with
@@ -78,7 +79,7 @@ public final class ActionTable implements Actions {
     if (action == null || action.enabled().getAsBoolean()) {
       return "";
     }
-    return reasons.getOrDefault(id, () -> "").get();
+    return Messages.shown(reasons.getOrDefault(id, () -> "").get());
   }
 
   @Override
