@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalLong;
 import java.util.function.IntUnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
@@ -15,8 +14,6 @@ import org.pendant.controller.DebugCommand;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.TestController;
 import org.pendant.controller.box.ArmChoice;
-import org.pendant.controller.installation.InstallationVariable;
-import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.program.RunNode;
@@ -50,7 +47,7 @@ final class RunFactsTest {
   }
 
   /** Program weld.script, which ran last, while pick.script is in front. */
-  private final class FakeRun implements RunProgram {
+  private final class FakeRun extends NoRun {
     private final IntUnaryOperator shown;
 
     FakeRun(IntUnaryOperator shown) {
@@ -73,11 +70,6 @@ final class RunFactsTest {
     }
 
     @Override
-    public Optional<List<LogEntry>> recordedLog() {
-      return Optional.empty();
-    }
-
-    @Override
     public Optional<RunNode> nodeAt(int line) {
       return node.map(
           label -> new RunNode(ProgramDocument.untitled("weld.pendant", ""), 1, 15, label));
@@ -96,27 +88,6 @@ final class RunFactsTest {
     @Override
     public int shownLine(int line) {
       return shown.applyAsInt(line);
-    }
-
-    @Override
-    public void showLine(int line) {}
-
-    @Override
-    public Optional<RunNode> node(ControllerState state) {
-      return Optional.empty();
-    }
-
-    @Override
-    public void show(RunNode node) {}
-
-    @Override
-    public OptionalLong turns(ControllerState state) {
-      return OptionalLong.empty();
-    }
-
-    @Override
-    public List<InstallationVariable> installationVariables() {
-      return List.of();
     }
   }
 

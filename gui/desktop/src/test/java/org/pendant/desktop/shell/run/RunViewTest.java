@@ -9,22 +9,16 @@ import java.awt.Container;
 import java.awt.EventQueue;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalLong;
 import java.util.stream.Stream;
 import javax.swing.JLabel;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.installation.InstallationVariable;
-import org.pendant.controller.message.LogEntry;
-import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.debug.Favourites;
 import org.pendant.desktop.debug.HiddenNames;
 import org.pendant.desktop.preview.PreviewWorkbench;
-import org.pendant.desktop.program.RunNode;
 import org.pendant.desktop.session.RobotSession;
-import org.pendant.desktop.session.RunTime;
 import org.pendant.desktop.unit.DisplayUnit;
 import org.pendant.desktop.unit.FormMemory;
 import org.pendant.desktop.unit.PoseForm;
@@ -99,7 +93,12 @@ final class RunViewTest {
         new RunView(
             workbench,
             workbench.actions(),
-            new Idle(),
+            new NoRun() {
+              @Override
+              public Optional<String> next() {
+                return Optional.of(next);
+              }
+            },
             command -> {},
             new Favourites(workbench.settings()),
             new HiddenNames(workbench.settings()),
@@ -126,69 +125,5 @@ final class RunViewTest {
 
   private Component part(String name) {
     return Parts.named(view.component(), name);
-  }
-
-  /** No program has run yet. */
-  private final class Idle implements RunProgram {
-    @Override
-    public Optional<String> next() {
-      return Optional.of(next);
-    }
-
-    @Override
-    public String name(ControllerState state) {
-      return "";
-    }
-
-    @Override
-    public boolean left(ControllerState state) {
-      return false;
-    }
-
-    @Override
-    public Optional<List<LogEntry>> recordedLog() {
-      return Optional.empty();
-    }
-
-    @Override
-    public Optional<RunNode> nodeAt(int line) {
-      return Optional.empty();
-    }
-
-    @Override
-    public RunTime time() {
-      return RunTime.NONE;
-    }
-
-    @Override
-    public String lineText(int line) {
-      return "";
-    }
-
-    @Override
-    public int shownLine(int line) {
-      return line;
-    }
-
-    @Override
-    public void showLine(int line) {}
-
-    @Override
-    public Optional<RunNode> node(ControllerState state) {
-      return Optional.empty();
-    }
-
-    @Override
-    public void show(RunNode node) {}
-
-    @Override
-    public OptionalLong turns(ControllerState state) {
-      return OptionalLong.empty();
-    }
-
-    @Override
-    public List<InstallationVariable> installationVariables() {
-      return List.of();
-    }
   }
 }
