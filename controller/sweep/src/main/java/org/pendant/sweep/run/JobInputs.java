@@ -20,6 +20,7 @@ import org.pendant.sweep.plan.SweepPlan;
  * Job inputs: all that a plan names, read.
  *
  * @param program what runs, before any variant changes it
+ * @param nodes where its lines are in the tree that it is made of; empty for scripts
  * @param folder from which programs read files
  * @param robot name of the arm where no parameter says otherwise
  * @param arms all arms that variants have, by name, with their calibration
@@ -31,6 +32,7 @@ import org.pendant.sweep.plan.SweepPlan;
 record JobInputs(
     SweepPlan plan,
     Source program,
+    Optional<ProgramNodes> nodes,
     ProgramsFolder folder,
     String robot,
     Map<String, ArmDescription> arms,

@@ -41,6 +41,7 @@ import org.pendant.project.installation.file.InstallationFile;
 import org.pendant.project.installation.file.InstallationTrouble;
 import org.pendant.project.program.file.BrokenTree;
 import org.pendant.project.program.file.TreeFile;
+import org.pendant.project.program.script.GeneratedScript;
 import org.pendant.sweep.plan.ParameterRange;
 import org.pendant.sweep.plan.ParameterTarget;
 import org.pendant.sweep.plan.ParameterValue;
@@ -74,12 +75,15 @@ final class PlanFiles {
       named = Optional.of(installation(plan.installation().get()));
     }
     Source program;
+    Optional<ProgramNodes> nodes = Optional.empty();
     Optional<String> made = Optional.empty();
     Optional<Installation> installation = named;
     byte[] bytes = bytes("program", plan.program());
     if (TreeFile.hasEnding(plan.program())) {
       TreeFile tree = tree(bytes, named);
-      program = Source.of(tree.scriptName(), tree.script().text());
+      GeneratedScript script = tree.script();
+      program = Source.of(tree.scriptName(), script.text());
+      nodes = Optional.of(new ProgramNodes(tree.tree(), script));
       installation = Optional.of(tree.installation());
       made = tree.robot();
     } else {
@@ -100,6 +104,7 @@ final class PlanFiles {
     return new JobInputs(
         plan,
         program,
+        nodes,
         ProgramsFolder.of(path(plan.program()).toString()),
         robot,
         arms,

@@ -12,6 +12,7 @@ import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.controller.disk.FileTrouble;
@@ -131,6 +132,11 @@ public final class SweepJob {
   /** The program before any variant changes it. */
   public Source program() {
     return inputs.program();
+  }
+
+  /** Where the lines of the program are in the tree that it is made of; empty for scripts. */
+  public Optional<ProgramNodes> nodes() {
+    return inputs.nodes();
   }
 
   /** A number in hexadecimal digits that changes when the plan or a file that it names does. */

@@ -72,6 +72,28 @@ final class SweepJobTest {
   }
 
   @Test
+  void linesOfATreeBelongToItsNodes() throws IOException, PlanException {
+    String tree =
+        """
+        pendant program 1
+        main
+          comment text="first"
+          script-line code="sleep(0.1)"
+          script-line code="halt"
+        """;
+    Files.writeString(folder.resolve("nap.pendant"), tree);
+    Path plan =
+        Files.writeString(
+            folder.resolve("p.toml"), "program = \"nap.pendant\"\n" + values("seed", "1"));
+    SweepJob job = SweepJob.read(plan);
+    int ended = job.run(job.plan().variant(0)).line();
+    ProgramNodes nodes = job.nodes().orElseThrow();
+    assertTrue(ended > 5, "the script has more lines than the tree: " + ended);
+    assertEquals(new ProgramNodes.Place(3, "sleep(0.1)"), nodes.at(ended).orElseThrow());
+    assertTrue(job(PROGRAM, values("seed", "1")).nodes().isEmpty());
+  }
+
+  @Test
   void elementOfAPoseAndTheWholeOfItAreSet() throws IOException, PlanException {
     assertEquals(-0.1, run(values("variable place[1]", "-0.1"), 0).endTcpInBase().get(1), 1e-6);
     assertEquals(

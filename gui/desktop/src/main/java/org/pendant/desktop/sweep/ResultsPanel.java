@@ -252,6 +252,7 @@ final class ResultsPanel extends JPanel {
     if (others) {
       now.ifPresent(each -> fill(each.plan(), each.rows()));
     }
+    table.nameLinesBy(now.flatMap(SweepPresenter.Shown::nodes));
     table.show(rows, now.map(each -> each.plan().parameters().size()).orElse(0));
     showPlot();
     boolean runs = presenter.runs();

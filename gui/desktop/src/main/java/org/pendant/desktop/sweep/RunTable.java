@@ -20,6 +20,7 @@ import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.TableRowSorter;
 import org.pendant.kit.table.TableLook;
 import org.pendant.kit.text.Messages;
+import org.pendant.sweep.run.ProgramNodes;
 import org.pendant.sweep.run.RunOutcome;
 import org.pendant.sweep.table.CellType;
 import org.pendant.sweep.table.ResultColumn;
@@ -27,6 +28,7 @@ import org.pendant.sweep.table.ResultColumn;
 /** Run table: the rows of a sweep, which can be sorted by any column while they come. */
 @SuppressWarnings("serial") // never written to a stream
 final class RunTable extends JTable {
+  private static final String LINE = "line";
   private static final List<String> USUAL =
       List.of(
           "duration",
@@ -38,7 +40,7 @@ final class RunTable extends JTable {
           "singularity",
           "force",
           "energy",
-          "line",
+          LINE,
           "reason");
   private static final int ROW_SPACE = 6;
   private static final int NUMBER_WIDTH = 76;
@@ -48,6 +50,7 @@ final class RunTable extends JTable {
   private final Model model;
   private final transient Consumer<RunRow> open;
   private transient Optional<RunRows> rows = Optional.empty();
+  private transient Optional<ProgramNodes> nodes = Optional.empty();
   private boolean allColumns;
 
   /**
@@ -111,6 +114,19 @@ final class RunTable extends JTable {
     begin();
   }
 
+  /** Calls lines of the program by the nodes of its tree from now on, if it is one. */
+  void nameLinesBy(Optional<ProgramNodes> names) {
+    nodes = names;
+  }
+
+  /** The node of a line; empty for other columns and for scripts. */
+  private Optional<String> node(ResultColumn column, double number) {
+    return nodes
+        .filter(each -> column.name().equals(LINE))
+        .flatMap(each -> each.at((int) number))
+        .map(each -> SweepTexts.text("node", each.number(), each.label()));
+  }
+
   /** Shows rows, which may grow. */
   void show(Optional<RunRows> wanted, int parameters) {
     if (!wanted.equals(rows) || model.parameters != parameters) {
@@ -145,7 +161,11 @@ final class RunTable extends JTable {
         getFontMetrics(getFont()).stringWidth(model.getColumnName(column)) + UIScale.scale(MARK);
     return column == 0
         ? title
-        : Math.max(title, UIScale.scale(model.text(column) ? WORD_WIDTH : NUMBER_WIDTH));
+        : Math.max(title, UIScale.scale(words(column) ? WORD_WIDTH : NUMBER_WIDTH));
+  }
+
+  private boolean words(int column) {
+    return model.text(column) || (nodes.isPresent() && model.column(column).name().equals(LINE));
   }
 
   @Override
@@ -156,10 +176,9 @@ final class RunTable extends JTable {
       return null;
     }
     ResultColumn of = model.column(convertColumnIndexToModel(column));
-    String value =
-        model
-            .row(convertRowIndexToModel(row))
-            .cell(model.shown.get(convertColumnIndexToModel(column)));
+    int place = model.shown.get(convertColumnIndexToModel(column));
+    RunRow run = model.row(convertRowIndexToModel(row));
+    String value = node(of, run.number(place)).orElseGet(() -> run.cell(place));
     String description = Messages.shown(of.description());
     return value.isEmpty()
         ? description
@@ -255,9 +274,17 @@ final class RunTable extends JTable {
     public Component getTableCellRendererComponent(
         JTable table, Object value, boolean selected, boolean focused, int row, int column) {
       boolean number = value instanceof Double;
+      ResultColumn of = model.column(convertColumnIndexToModel(column));
+      Optional<String> node = number ? node(of, (Double) value) : Optional.empty();
       super.getTableCellRendererComponent(
-          table, number ? SweepWords.brief((Double) value) : value, selected, focused, row, column);
-      setHorizontalAlignment(number ? SwingConstants.TRAILING : SwingConstants.LEADING);
+          table,
+          number ? node.orElseGet(() -> SweepWords.brief((Double) value)) : value,
+          selected,
+          focused,
+          row,
+          column);
+      setHorizontalAlignment(
+          number && node.isEmpty() ? SwingConstants.TRAILING : SwingConstants.LEADING);
       if (!selected) {
         int place = model.shown.get(convertColumnIndexToModel(column));
         boolean outcome = model.rows.orElseThrow().columns().get(place).name().equals("outcome");

@@ -29,6 +29,7 @@ import org.pendant.sweep.plan.SweepPlan;
 import org.pendant.sweep.report.SweepReport;
 import org.pendant.sweep.run.ParameterOffer;
 import org.pendant.sweep.run.ParameterOffers;
+import org.pendant.sweep.run.ProgramNodes;
 
 /**
  * Sweep presenter: the plan that people edit, the sweep that runs, and what came of it. Only for
@@ -78,8 +79,10 @@ final class SweepPresenter {
    * @param plan what they are of
    * @param file the plan
    * @param rows the table
+   * @param nodes where lines of the program are in its tree; empty for scripts
    */
-  record Shown(Path folder, Path file, SweepPlan plan, RunRows rows) {}
+  record Shown(
+      Path folder, Path file, SweepPlan plan, RunRows rows, Optional<ProgramNodes> nodes) {}
 
   SweepPresenter(
       Supplier<SweepSubject> subject,
@@ -297,7 +300,7 @@ final class SweepPresenter {
     Sweep sweep = Sweep.read(file);
     RunRows rows = new RunRows(sweep.table().columns());
     rows.add(RunningSweep.rowsOf(folder, sweep, () -> false));
-    return new Shown(folder, file, sweep.plan(), rows);
+    return new Shown(folder, file, sweep.plan(), rows, sweep.job().nodes());
   }
 
   /** Looks whether there are results already. */
@@ -444,7 +447,8 @@ final class SweepPresenter {
                               now.order().folder(),
                               now.order().plan(),
                               each.plan(),
-                              new RunRows(each.table().columns()))));
+                              new RunRows(each.table().columns()),
+                              each.job().nodes())));
     }
     shown.ifPresent(each -> each.rows().add(now.takeRows()));
     if (ended) {
