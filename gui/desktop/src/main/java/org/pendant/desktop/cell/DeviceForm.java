@@ -266,7 +266,7 @@ final class DeviceForm {
         Messages.shown(choice.title()),
         Messages.told(Messages.shown(choice.title()), Messages.shown(choice.help())),
         device -> choice.ways(),
-        DeviceField.Choice.Way::title,
+        way -> Messages.shown(way.title()),
         device -> way(choice, part.get.apply(device)),
         (device, way) -> part.change(device, text -> withWay(text, choice, way)));
     for (DeviceField.Choice.Way way : choice.ways()) {

@@ -17,6 +17,7 @@ import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.kit.form.Measures;
+import org.pendant.kit.text.Messages;
 import org.pendant.models.arm.ArmDescription;
 
 /**
@@ -117,6 +118,7 @@ final class Editing {
         .map(InstallationProblem::message)
         .filter(each -> !before.contains(each))
         .findFirst()
+        .map(Messages::shown)
         .orElse("");
   }
 
@@ -134,7 +136,7 @@ final class Editing {
   Optional<String> problem(String field) {
     return InstallationCheck.problems(now(), arm()).stream()
         .filter(each -> each.field().startsWith(field))
-        .map(InstallationProblem::message)
+        .map(each -> Messages.shown(each.message()))
         .findFirst();
   }
 

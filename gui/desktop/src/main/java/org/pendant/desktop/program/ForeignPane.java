@@ -15,7 +15,6 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.layout.CodeArea;
 import org.pendant.project.program.ActionStep;
 import org.pendant.project.program.ProgramNode;
-import org.pendant.project.program.StepNames;
 import org.pendant.project.program.script.GeneratedScript;
 import org.pendant.project.program.script.GeneratedScript.NodeLines;
 import org.pendant.project.program.urp.ShownNodes;
@@ -68,7 +67,8 @@ final class ForeignPane extends JPanel {
     Optional<ProgramNode> node =
         key.isPresent() ? program.tree().find(key.getAsLong()) : Optional.empty();
     String code = node.map(each -> code(program.script(), each)).orElse("");
-    heading.setText(node.map(StepNames::label).orElse(text("nothingIsSelected")));
+    heading.setText(
+        node.map(each -> NodeLabels.shown(each.step())).orElse(text("nothingIsSelected")));
     about.setText(node.map(each -> about(program, each, code)).orElse(""));
     if (!lines.getText().equals(code)) {
       lines.setText(code);

@@ -15,7 +15,6 @@ import org.pendant.project.program.FirstWaypoint;
 import org.pendant.project.program.PlayFrom;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.Section;
-import org.pendant.project.program.StepNames;
 import org.pendant.project.program.script.GeneratedScript;
 import org.pendant.project.program.script.ScriptGenerator;
 
@@ -132,7 +131,7 @@ public final class TreeRuns {
     return program
         .tree()
         .find(key)
-        .map(StepNames::label)
+        .map(node -> NodeLabels.shown(node.step()))
         .flatMap(
             label ->
                 program

@@ -30,6 +30,7 @@ import org.pendant.kit.layout.InnerScroll;
 import org.pendant.kit.layout.ShownFocus;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.WrappingRow;
+import org.pendant.kit.text.Messages;
 import org.pendant.kit.theme.Palette;
 
 /**
@@ -300,7 +301,7 @@ public final class Items<T> {
   }
 
   private boolean attempt(List<T> next, Optional<T> before, Optional<T> after) {
-    String why = model.refusal(next);
+    String why = Messages.shown(model.refusal(next));
     problem.say(why);
     if (why.isEmpty()) {
       model.take(next, before, after);

@@ -166,10 +166,14 @@ public final class PartsForm<T> {
       return "";
     }
     try {
-      return telling.apply(refusal.apply(change.with(value.get(), text)));
+      return told(refusal.apply(change.with(value.get(), text)));
     } catch (IllegalArgumentException e) {
-      return telling.apply(e.getMessage());
+      return told(e.getMessage());
     }
+  }
+
+  private String told(String why) {
+    return Messages.shown(telling.apply(why));
   }
 
   private void take(Change<T> change, String text) {
@@ -392,7 +396,7 @@ public final class PartsForm<T> {
     }
     try {
       T next = change.apply(value.get());
-      String why = refusal.apply(next);
+      String why = told(refusal.apply(next));
       problem.say(why);
       if (why.isEmpty()) {
         take.accept(next);
@@ -402,7 +406,7 @@ public final class PartsForm<T> {
       }
     } catch (IllegalArgumentException e) {
       show(value.get());
-      problem.say(e.getMessage());
+      problem.say(told(e.getMessage()));
     }
   }
 
