@@ -4,10 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
@@ -20,7 +17,6 @@ import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.TestController;
 import org.pendant.controller.box.BoxCommand;
 import org.pendant.controller.box.BoxSetup;
-import org.pendant.controller.command.Command;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.jog.JogDirection;
 import org.pendant.controller.jog.JogFrame;
@@ -33,8 +29,6 @@ import org.pendant.desktop.unit.DisplayUnit;
 import org.pendant.desktop.unit.FormMemory;
 import org.pendant.desktop.unit.PoseForm;
 import org.pendant.desktop.unit.RotationForm;
-import org.pendant.kit.settings.MemorySettings;
-import org.pendant.kit.settings.Settings;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
@@ -42,45 +36,8 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
 import org.pendant.script.debug.Debugger;
 
-/** The screen that moves the arm, with a controller but without a window. */
-final class MovePresenterTest {
-  private static final int FRAMES_A_REFRESH = 17;
-
-  private final Map<String, String> remembered = new HashMap<>();
-  private final Settings settings = new MemorySettings(remembered);
-  private final List<Command> sent = new ArrayList<>();
-  private final List<Optional<Joints>> ghosts = new ArrayList<>();
-  private Controller controller = new Controller(ControllerOptions.headless());
-  private MovePresenter presenter = presenter();
-
-  private MovePresenter presenter() {
-    return new MovePresenter(
-        command -> {
-          sent.add(command);
-          return controller.submit(command);
-        },
-        Runnable::run,
-        settings,
-        ArmLibrary.load("ur5e"),
-        () -> controller.safety(),
-        ghosts::add);
-  }
-
-  private void refresh(int times) {
-    for (int i = 0; i < times; i++) {
-      controller.runUntil(() -> false, FRAMES_A_REFRESH);
-      presenter.take(controller.state(), Pace.REAL_TIME);
-    }
-  }
-
-  private String obstacle() {
-    return presenter.obstacle().map(Obstacle::text).orElse("");
-  }
-
-  private Joints position() {
-    return controller.state().arm().targetPositionRad();
-  }
-
+/** What the screen that moves the arm tells and does. */
+final class MovePresenterTest extends MoveFixture {
   @Test
   void unitsThatAreChosenElsewhereAreThoseOfThisScreen() {
     PoseForm inches =
@@ -353,87 +310,6 @@ final class MovePresenterTest {
   }
 
   @Test
-  void stepsAddUpHoweverFastTheyFollowEachOther() {
-    refresh(1);
-    double before = controller.state().arm().targetTcpInBase().z();
-    presenter.jog().setSize(JogSize.MEDIUM);
-    for (int i = 0; i < 5; i++) {
-      presenter.jog().move(JogDirection.along(0, 0, 1));
-      presenter.jog().letGo();
-      refresh(2);
-    }
-    refresh(60);
-    assertEquals(before + 0.005, controller.state().arm().targetTcpInBase().z(), 1e-6);
-    assertFalse(controller.state().arm().moving());
-    assertEquals(new ManualCommand.StopJog(), sent.getLast());
-  }
-
-  @Test
-  void aStepLeadsToItsGoalThoughTheScreenHangsOnTheWay() {
-    refresh(1);
-    presenter.jog().setSize(JogSize.COARSE);
-    presenter.jog().setSpeedFraction(0.1);
-    Pose before = controller.state().arm().targetTcpInBase();
-    presenter.jog().move(JogDirection.along(0, 0, -1));
-    refresh(1);
-    controller.runUntil(() -> false, 300);
-    Pose stopped = controller.state().arm().targetTcpInBase();
-    assertTrue(before.z() - stopped.z() < 0.0099, "it stops on the way, at " + stopped);
-    refresh(60);
-    assertEquals(before.z() - 0.01, controller.state().arm().targetTcpInBase().z(), 1e-6);
-    assertFalse(controller.state().arm().moving());
-  }
-
-  @Test
-  void aStepTurnsAJointByItsSize() {
-    refresh(1);
-    presenter.jog().setSize(JogSize.COARSE);
-    presenter.jog().turn(0, 1);
-    presenter.jog().letGo();
-    refresh(100);
-    assertEquals(Math.toRadians(10), position().get(0), 1e-12);
-  }
-
-  @Test
-  void stepsAreRoundNumbersOfTheUnitsThatPeopleRead() {
-    FormMemory.write(
-        settings, new PoseForm(DisplayUnit.INCH, DisplayUnit.RADIAN, RotationForm.ROLL_PITCH_YAW));
-    refresh(1);
-    presenter.jog().setSize(JogSize.MEDIUM);
-    presenter.jog().turn(0, 1);
-    presenter.jog().letGo();
-    refresh(100);
-    assertEquals(0.02, position().get(0), 1e-12);
-    double before = controller.state().arm().targetTcpInBase().z();
-    presenter.jog().move(JogDirection.along(0, 0, 1));
-    presenter.jog().letGo();
-    refresh(100);
-    assertEquals(before + 0.05 * 0.0254, controller.state().arm().targetTcpInBase().z(), 1e-6);
-  }
-
-  @Test
-  void sizesOfStepsHaveTwoNumbersWhereOneDoesNotStandForLengthsAndAngles() {
-    assertEquals("0.1", JogSize.FINE.title(PoseForm.STANDARD));
-    assertEquals(
-        "Move by 0.1 mm or turn by 0.1 deg at each press", JogSize.FINE.meaning(PoseForm.STANDARD));
-    PoseForm inches = new PoseForm(DisplayUnit.INCH, DisplayUnit.DEGREE, RotationForm.VECTOR);
-    assertEquals("0.5, 10", JogSize.COARSE.title(inches));
-    assertEquals("Move by 0.5 in or turn by 10 deg at each press", JogSize.COARSE.meaning(inches));
-  }
-
-  @Test
-  void aStepAlongTheToolFollowsItsAxes() {
-    refresh(1);
-    Pose before = controller.state().arm().targetTcpInBase();
-    presenter.jog().setAxes(JogAxes.TOOL);
-    presenter.jog().setSize(JogSize.COARSE);
-    presenter.jog().move(JogDirection.along(0, 0, 1));
-    refresh(100);
-    Pose expected = Poses.trans(before, new Pose(0, 0, 0.01, 0, 0, 0));
-    assertEquals(0, Poses.distance(expected, controller.state().arm().targetTcpInBase()), 1e-6);
-  }
-
-  @Test
   void rangesAreThoseOfTheSafetyLimitsThatHoldNow() {
     refresh(1);
     SafetyConfiguration standard = controller.safety();
@@ -462,32 +338,6 @@ final class MovePresenterTest {
         limits.jointSpeedRadPerS(),
         limits.jointMinRad().with(2, minRad),
         limits.jointMaxRad());
-  }
-
-  @Test
-  void aStepBeyondTheRangeOfAJointIsToldAndNotDone() {
-    controller =
-        new Controller(
-            ControllerOptions.headless()
-                .withStart(BoxSetup.START_RAD.with(5, Math.toRadians(362.5))));
-    refresh(1);
-    presenter.jog().setSize(JogSize.MEDIUM);
-    presenter.jog().turn(5, 1);
-    assertEquals("Wrist 3 is at the end of its range", presenter.jog().reason());
-    assertEquals(List.of(), sent);
-  }
-
-  @Test
-  void anArmOnItsWayThroughAStepStopsWhenTheScreenIsLeft() {
-    refresh(1);
-    presenter.jog().setSpeedFraction(0.1);
-    presenter.jog().setSize(JogSize.COARSE);
-    presenter.jog().turn(0, 1);
-    presenter.jog().letGo();
-    refresh(5);
-    presenter.jog().release();
-    refresh(20);
-    assertTrue(position().get(0) > 0 && position().get(0) < Math.toRadians(9));
   }
 
   @Test
