@@ -1,19 +1,24 @@
 package org.pendant.project.program.urp;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.pendant.project.program.urp.UrpFixture.JOINTS;
+import static org.pendant.project.program.urp.UrpFixture.POSITION;
+import static org.pendant.project.program.urp.UrpFixture.assertPose;
+import static org.pendant.project.program.urp.UrpFixture.chars;
+import static org.pendant.project.program.urp.UrpFixture.expression;
+import static org.pendant.project.program.urp.UrpFixture.main;
+import static org.pendant.project.program.urp.UrpFixture.nodes;
+import static org.pendant.project.program.urp.UrpFixture.program;
+import static org.pendant.project.program.urp.UrpFixture.read;
+import static org.pendant.project.program.urp.UrpFixture.refusal;
+import static org.pendant.project.program.urp.UrpFixture.step;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.zip.GZIPInputStream;
-import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -24,7 +29,6 @@ import org.pendant.controller.installation.SignalUse;
 import org.pendant.controller.io.InputAction;
 import org.pendant.controller.io.RunStateAction;
 import org.pendant.models.arm.ArmLibrary;
-import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
@@ -40,7 +44,6 @@ import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.Section;
 import org.pendant.project.program.Setting;
-import org.pendant.project.program.Step;
 import org.pendant.project.program.Timing;
 import org.pendant.project.program.ToolChoice;
 import org.pendant.project.program.UntilRule;
@@ -48,78 +51,8 @@ import org.pendant.project.program.WaitFor;
 import org.pendant.project.program.WaypointPosition;
 import org.pendant.project.program.WaypointTarget;
 
+/** What is read from PolyScope's programs. */
 class UrpReadTest {
-  private static final Joints JOINTS = new Joints(0.1, -1.5, -1.6, -1.4, 1.5, 0.2);
-
-  /** As robots write a place: joints, TCP and the arm, but no pose. */
-  private static final String POSITION =
-      """
-      <position>
-        <JointAngles angles="0.1, -1.5, -1.6, -1.4, 1.5, 0.2"/>
-        <TCPOffset pose="0.0, 0.0, 0.12, 0.0, 0.0, 0.0"/>
-        <Kinematics status="NOT_INITIALIZED" validChecksum="false">
-          <deltaTheta value="0.0, 0.0, 0.0, 0.0, 0.0, 0.0"/>
-          <a value="0.0, -0.425, -0.3922, 0.0, 0.0, 0.0"/>
-          <d value="0.1625, 0.0, 0.0, 0.1333, 0.0997, 0.0996"/>
-          <alpha value="1.570796327, 0.0, 0.0, 1.570796327, -1.570796327, 0.0"/>
-          <jointChecksum value="-1, -1, -1, -1, -1, -1"/>
-        </Kinematics>
-      </position>
-      """;
-
-  private static String program(String sections) {
-    return "<URProgram name=\"pick\" installation=\"cell\" createdIn=\"5.24.1\">\n<children>\n"
-        + sections
-        + "\n</children>\n</URProgram>\n";
-  }
-
-  private static String main(String nodes) {
-    return program(
-        "<MainProgram runOnlyOnce=\"true\"><children>\n" + nodes + "\n</children></MainProgram>");
-  }
-
-  private static ImportedProgram read(String xml) throws UnreadableFile {
-    return UrpPrograms.read("pick.urp", xml.getBytes(StandardCharsets.UTF_8));
-  }
-
-  /** The nodes of a main program. */
-  private static List<ProgramNode> nodes(String xml) throws UnreadableFile {
-    return read(main(xml)).tree().sections().getFirst().children();
-  }
-
-  private static Step step(String xml) throws UnreadableFile {
-    return nodes(xml).getFirst().step();
-  }
-
-  private static String expression(String parts) throws UnreadableFile {
-    Step step = step("<Script type=\"Line\"><expression>" + parts + "</expression></Script>");
-    return ((ActionStep.ScriptLine) step).code();
-  }
-
-  private static String chars(String text) {
-    StringBuilder parts = new StringBuilder();
-    for (int i = 0; i < text.length(); i++) {
-      String each = text.substring(i, i + 1).replace("<", "&lt;").replace("\"", "&quot;");
-      parts.append("<ExpressionChar character=\"").append(each).append("\"/>");
-    }
-    return parts.toString();
-  }
-
-  private static String refusal(byte[] bytes) {
-    return assertThrows(UnreadableFile.class, () -> UrpPrograms.read("pick.urp", bytes))
-        .report("pick.urp");
-  }
-
-  private static String refusal(String xml) {
-    return refusal(xml.getBytes(StandardCharsets.UTF_8));
-  }
-
-  private static void assertPose(Pose expected, Pose actual) {
-    for (int i = 0; i < Pose.SIZE; i++) {
-      assertEquals(expected.get(i), actual.get(i), 1e-9, () -> expected + " and " + actual);
-    }
-  }
-
   @Test
   void readsCompressedAndPlainFiles() throws UnreadableFile {
     String xml = main("<Halt/>");
@@ -294,19 +227,6 @@ class UrpReadTest {
   }
 
   @Test
-  void refusesReferencesThatLeadInACircle() {
-    String message =
-        refusal(
-            main(
-                """
-                <Timer action="Start"><variable reference="../../Timer[2]/variable"/></Timer>
-                <Timer action="Stop"><variable reference="../../Timer/variable"/></Timer>
-                """));
-    assertTrue(message.startsWith("pick.urp:4:23: error: its reference "), message);
-    assertTrue(message.contains("leads in a circle"), message);
-  }
-
-  @Test
   void tellsReferencesThatLeadNowhere() throws UnreadableFile {
     ImportedProgram program =
         read(main("<Timer action=\"Start\"><variable reference=\"../../Loop/variable\"/></Timer>"));
@@ -470,74 +390,6 @@ class UrpReadTest {
   }
 
   @Test
-  void suppressesWhatIsSuppressedInEitherForm() throws UnreadableFile {
-    List<ProgramNode> nodes =
-        nodes(
-            """
-            <SuppressedNode><Folder name="a"><children><Halt/></children></Folder></SuppressedNode>
-            <SuppressedNode><children><Halt/><Halt/></children></SuppressedNode>
-            <Halt/>
-            """);
-    assertEquals(
-        List.of(true, true, true, false), nodes.stream().map(ProgramNode::suppressed).toList());
-    assertFalse(nodes.getFirst().children().getFirst().suppressed());
-  }
-
-  @Test
-  void aNodeThatIsSwitchedOffIsWhatItsClassSays() throws UnreadableFile {
-    ImportedProgram program =
-        read(
-            main(
-                """
-                <SuppressedNode><suppressedNode class="Folder" name="a"><children><Halt/></children>
-                </suppressedNode></SuppressedNode>
-                <SuppressedNode><suppressedNode class="Comment" comment="b" colour="c"/></SuppressedNode>
-                """));
-    List<ProgramNode> nodes = program.tree().sections().getFirst().children();
-    assertEquals(
-        List.of(new ActionStep.Folder("a"), new ActionStep.Comment("b")),
-        nodes.stream().map(ProgramNode::step).toList());
-    assertEquals(List.of(true, true), nodes.stream().map(ProgramNode::suppressed).toList());
-    assertEquals(new ActionStep.Halt(), nodes.getFirst().children().getFirst().step());
-    assertEquals(List.of(), program.remarks());
-  }
-
-  @Test
-  void anUnknownNodeThatIsSwitchedOffIsKeptWithoutARemark() throws UnreadableFile {
-    String weld = "<suppressedNode class=\"Weld\" speed=\"1\"/>";
-    ImportedProgram program = read(main("<SuppressedNode>" + weld + "</SuppressedNode>"));
-    ProgramNode node = program.tree().sections().getFirst().children().getFirst();
-    assertEquals(new ForeignStep.Unknown("Weld", List.of("<Weld speed=\"1\"/>")), node.step());
-    assertTrue(node.suppressed());
-    assertEquals(List.of(), program.remarks());
-  }
-
-  @Test
-  void wholePartsOfAProgramCanBeSwitchedOff() throws UnreadableFile {
-    ImportedProgram program =
-        read(
-            program(
-                """
-                <MainProgram><children>
-                <CallSubProgram><subprogram name="S"><children><Halt/></children></subprogram>
-                </CallSubProgram></children></MainProgram>
-                <SuppressedNode><suppressedNode class="Thread" name="T" runOnlyOnce="true">
-                <children><Halt/></children></suppressedNode></SuppressedNode>
-                <SuppressedNode><suppressedNode class="SubProgram"
-                 reference="../../MainProgram/children/CallSubProgram/subprogram"/></SuppressedNode>
-                """));
-    assertEquals(
-        List.of(
-            "MainProgram[forever=true] false",
-            "ThreadSection[name=T, forever=false] true",
-            "SubProgram[name=S, file=] true"),
-        program.tree().sections().stream()
-            .map(each -> each.step() + " " + each.suppressed())
-            .toList());
-    assertEquals(List.of(), program.remarks());
-  }
-
-  @Test
   void keepsUnknownAndContributedElementsToTheLetter() throws UnreadableFile, IOException {
     String weld =
         "<Weld  speed='1'\tb=\"&#65;&lt;\" >\r\n   <!-- a < b --><x/><![CDATA[<y>]]>\n"
@@ -596,64 +448,5 @@ class UrpReadTest {
           """)
   void refusesOtherFilesWithTheirPlace(String xml, String message) {
     assertEquals(message, refusal(xml));
-  }
-
-  @Test
-  void refusesWhatIsNoXml() {
-    assertTrue(refusal("no xml").startsWith("pick.urp:1:1: error: is no XML: "));
-    assertTrue(refusal("").contains("error: is no XML: "));
-    assertTrue(refusal("<URProgram>\n  <a></b>").startsWith("pick.urp:2:"));
-    assertEquals(
-        "pick.urp: error: is no text in UTF-8", refusal(new byte[] {'<', (byte) 0xff, '>'}));
-  }
-
-  @Test
-  void readsNothingThatTheFileOnlyPointsTo() {
-    String outside =
-        "<!DOCTYPE URProgram [<!ENTITY secret SYSTEM \"file:///etc/hostname\">]>"
-            + "<URProgram name=\"&secret;\"/>";
-    assertTrue(refusal(outside).startsWith("pick.urp:1:"), refusal(outside));
-    assertTrue(
-        refusal("<!-- --><!DOCTYPE a [<!ENTITY b \"c\">]><URProgram>&b;</URProgram>")
-            .startsWith("pick.urp:1:"));
-  }
-
-  @Test
-  void refusesEveryCut() {
-    byte[] whole = PackedXml.packed(main("<Halt/>"));
-    for (int length = 0; length < whole.length - 1; length++) {
-      byte[] part = Arrays.copyOf(whole, length);
-      assertThrows(UnreadableFile.class, () -> UrpPrograms.read("x.urp", part), "cut at " + length);
-    }
-  }
-
-  @Test
-  void refusesAFileThatUnpacksWithoutEnd() throws IOException {
-    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-    try (OutputStream zip = new GZIPOutputStream(bytes)) {
-      byte[] blanks = new byte[1 << 20];
-      for (int i = 0; i < 65; i++) {
-        zip.write(blanks);
-      }
-    }
-    assertEquals(
-        "pick.urp: error: has more than 67108864 bytes when unpacked",
-        refusal(bytes.toByteArray()));
-  }
-
-  @Test
-  void refusesElementsThatAreTooDeep() {
-    String deep = "<Folder><children>".repeat(400) + "</children></Folder>".repeat(400);
-    assertTrue(refusal(main(deep)).contains("nodes are more than 200 levels deep"));
-    String deeper = "<a>".repeat(5000) + "</a>".repeat(5000);
-    assertTrue(refusal(deeper).contains("elements stand more than 1000 deep in each other"));
-  }
-
-  @Test
-  void readsTextsOfAnyLength() throws UnreadableFile {
-    String code = "&lt;&amp;&#65;".repeat(100_000);
-    String xml =
-        "<Script type=\"File\"><cachedContents>" + code + "</cachedContents><file/></Script>";
-    assertEquals(new ActionStep.ScriptFile("", List.of("<&A".repeat(100_000))), step(xml));
   }
 }
