@@ -258,7 +258,7 @@ public final class IoView implements View {
 
   @Override
   public String title() {
-    return "I/O";
+    return text("io");
   }
 
   @Override

@@ -52,8 +52,8 @@ import org.pendant.sweep.plan.SamplingMethod;
 final class PlanPanel extends JPanel {
   private static final int MAX_WORKERS = 1024;
   private static final int GAP = 10;
-  private static final int REST_WIDTH = 280;
-  private static final int WIDE = 760;
+  private static final int REST_WIDTH = 300;
+  private static final int WIDE = 780;
   private static final String LEFT_TO_RIGHT = "[][grow, fill]";
   private static final List<String> GOALS =
       List.of(
@@ -264,21 +264,21 @@ final class PlanPanel extends JPanel {
     shows.add(() -> goal.setSelectedItem(draft().sampling().column()));
     fields.put("goal", goal);
     search.add(direction, "growx 0");
-    search.add(goal);
+    search.add(goal, "wmin 60");
     JTextField limits =
         field(
             "limits", 20, d -> d.sampling().limits(), (d, t) -> d.with(d.sampling().withLimits(t)));
     limits.setToolTipText(text("whatMustHoldOfARun"));
-    search.add(label(text("limits"), limits));
-    search.add(limits);
+    search.add(label(text("limits"), limits), "span");
+    search.add(limits, "span, wmin 60");
     JTextField stall =
         field("stall", 5, d -> d.sampling().stall(), (d, t) -> d.with(d.sampling().withStall(t)));
     stall.setToolTipText(text("theSearchEndsAfterSoMany"));
-    search.add(label(text("endsAfter"), stall));
+    search.add(label(text("endsAfter"), stall), "span");
     JPanel generations = row();
     generations.add(stall);
     generations.add(new JLabel(text("idleGenerations")));
-    search.add(generations, "wmin 0");
+    search.add(generations, "span, wmin 0");
     card.add(search, "wmin 0");
     return card;
   }
@@ -309,7 +309,7 @@ final class PlanPanel extends JPanel {
     check(noise, "noise", d -> d.settings().noise(), (d, on) -> d.with(d.settings().withNoise(on)));
     card.add(new JLabel(text("arm")));
     card.add(ideal, "wrap, wmin 0");
-    card.add(noise, "skip, wrap, wmin 0");
+    card.add(noise, "span, wmin 0");
     texts(
         card,
         "variables",
