@@ -2,7 +2,7 @@ package org.pendant.command;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.pendant.command.text.TerminalColumns;
+import org.pendant.text.TerminalColumns;
 
 /** Table: rows of text under headings, as aligned columns or as Markdown. */
 final class Table {

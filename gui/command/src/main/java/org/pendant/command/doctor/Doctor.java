@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.ServiceLoader;
 import java.util.function.Function;
 import org.pendant.command.service.Version;
-import org.pendant.command.text.TerminalColumns;
+import org.pendant.text.TerminalColumns;
 
 /** Doctor: looks at this computer for all that Pendant needs, and says what it means. */
 public final class Doctor {

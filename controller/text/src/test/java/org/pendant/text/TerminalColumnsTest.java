@@ -1,4 +1,4 @@
-package org.pendant.command.text;
+package org.pendant.text;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 

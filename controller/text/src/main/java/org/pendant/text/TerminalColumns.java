@@ -1,4 +1,4 @@
-package org.pendant.command.text;
+package org.pendant.text;
 
 /**
  * Terminal columns: how wide text is on a terminal, where a Chinese character takes two columns.
