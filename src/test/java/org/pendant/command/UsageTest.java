@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
@@ -68,6 +70,27 @@ final class UsageTest {
         german.errors());
     Result chinese = Launcher.shell(folder, "PENDANT_LANGUAGE=zh \"$PENDANT\" rum");
     assertTrue(chinese.errors().contains("rum\uff0c"), chinese.errors());
+  }
+
+  @Test
+  void resultsOfTestsAreToldInTheLanguageThatIsAskedForAndReportedInEnglish() throws IOException {
+    Files.writeString(
+        folder.resolve("grip_test.script"),
+        """
+        def test_grip():
+          assert_near(0.05, 0.04, 0.001)
+        end
+        """);
+    Result german =
+        Launcher.shell(folder, "PENDANT_LANGUAGE=de \"$PENDANT\" test --junit tests.xml .");
+    assertTrue(german.output().contains("1 fehlgeschlagen in "), german.output());
+    assertTrue(german.output().contains(" nach der Wanduhr"), german.output());
+    String junit = Files.readString(folder.resolve("tests.xml"));
+    assertTrue(junit.contains(": error: "), junit);
+    Result chinese = Launcher.shell(folder, "PENDANT_LANGUAGE=zh \"$PENDANT\" test .");
+    String output =
+        new String(chinese.output().getBytes(StandardCharsets.ISO_8859_1), StandardCharsets.UTF_8);
+    assertTrue(output.contains("1 个失败"), output);
   }
 
   @Test

@@ -70,8 +70,7 @@ record TargetTests(TargetAddress address) {
   ExitCode run(TestOptions options, Arguments arguments, Console console) throws UsageException {
     InstallationOption.tell(arguments, console);
     TestFilesOnDisk disk = new TestFilesOnDisk(arguments);
-    ConsoleReport report =
-        new ConsoleReport(TestCommand.style(arguments), disk::source, console::printPiece);
+    ConsoleReport report = TestCommand.report(arguments, disk, console);
     TargetRunner runner =
         new TargetRunner(
             disk, settings(options.settings(), arguments), options::wants, report::finished);

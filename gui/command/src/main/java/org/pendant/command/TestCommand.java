@@ -20,6 +20,7 @@ import org.pendant.testing.report.ConsoleStyle;
 import org.pendant.testing.report.ConsoleStyle.Detail;
 import org.pendant.testing.report.ConsoleStyle.Feature;
 import org.pendant.testing.report.GithubAnnotations;
+import org.pendant.testing.report.ReportLanguage;
 import org.pendant.testing.run.TestPlan;
 import org.pendant.testing.run.TestRunner;
 import org.pendant.testing.source.TestCase;
@@ -143,7 +144,7 @@ final class TestCommand implements Subcommand {
       Console console)
       throws UsageException {
     List<String> files = files(arguments);
-    ConsoleReport report = new ConsoleReport(style(arguments), disk::source, console::printPiece);
+    ConsoleReport report = report(arguments, disk, console);
     Optional<CoverageCollector> coverage =
         TestReports.wantCoverage(arguments) || TestMutation.wanted(arguments)
             ? Optional.of(new CoverageCollector())
@@ -182,13 +183,25 @@ final class TestCommand implements Subcommand {
       reports.write(reached);
       if (arguments.has(TestReports.COVERAGE)) {
         console.print("");
-        CoverageTable.of(reached).lines().forEach(console::print);
+        CoverageTable.of(reached, CommandLanguage.texts(CoverageTable.class))
+            .lines()
+            .forEach(console::print);
       }
       if (mutation.isPresent()) {
         mutated = mutation.get().run(disk, runner, result, reached, interruption, console);
       }
     }
     return code(result).or(mutated);
+  }
+
+  /** What people see of tests, in their language. */
+  static ConsoleReport report(Arguments arguments, TestFilesOnDisk disk, Console console)
+      throws UsageException {
+    return new ConsoleReport(
+        style(arguments),
+        disk::source,
+        console::printPiece,
+        new ReportLanguage(CommandLanguage.texts(ReportLanguage.class), CommandLanguage::shown));
   }
 
   static List<String> files(Arguments arguments) throws UsageException {

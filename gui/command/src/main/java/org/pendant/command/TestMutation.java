@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.pendant.command.service.Version;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.testing.SuiteResult;
 import org.pendant.testing.coverage.CoverageReport;
 import org.pendant.testing.mutation.MutationReport;
@@ -109,7 +110,9 @@ record TestMutation(
       console.printPiece(CLEARED);
     }
     console.print("");
-    MutationTable.of(report).lines().forEach(console::print);
+    MutationTable.of(report, CommandLanguage.texts(MutationTable.class))
+        .lines()
+        .forEach(console::print);
     console.flush();
     if (json.isPresent()) {
       json.get().write(out -> MutationJson.write(report, result.results(), Version.number(), out));

@@ -20,6 +20,7 @@ import org.pendant.testing.TestResult;
 import org.pendant.testing.TestStatus;
 import org.pendant.testing.report.ConsoleStyle.Detail;
 import org.pendant.testing.report.ConsoleStyle.Feature;
+import org.pendant.text.TerminalColumns;
 
 /**
  * Console report: tests as they end, and a summary, for people.
@@ -37,6 +38,7 @@ public final class ConsoleReport {
   private static final int PROGRESS_STEPS = 500;
 
   private final ConsoleStyle style;
+  private final ReportLanguage language;
   private final ConsoleSummary summary;
   private final Consumer<String> out;
   private final Map<String, TestedFile> files = new LinkedHashMap<>();
@@ -63,6 +65,12 @@ public final class ConsoleReport {
     }
   }
 
+  /** A report of one run, in English. */
+  public ConsoleReport(
+      ConsoleStyle style, Function<String, Optional<Source>> sources, Consumer<String> out) {
+    this(style, sources, out, ReportLanguage.ENGLISH);
+  }
+
   /**
    * A report of one run.
    *
@@ -71,9 +79,13 @@ public final class ConsoleReport {
    *     that the style asks for, whatever tests say
    */
   public ConsoleReport(
-      ConsoleStyle style, Function<String, Optional<Source>> sources, Consumer<String> out) {
+      ConsoleStyle style,
+      Function<String, Optional<Source>> sources,
+      Consumer<String> out,
+      ReportLanguage language) {
     this.style = style;
-    this.summary = new ConsoleSummary(style, new SourceExcerpts(sources));
+    this.language = language;
+    this.summary = new ConsoleSummary(style, new SourceExcerpts(sources), language);
     this.out = out;
   }
 
@@ -136,11 +148,15 @@ public final class ConsoleReport {
         .forEach(each -> block(summary.red(each)));
     result.broken().forEach(each -> block(summary.broken(each)));
     if (!result.warnings().isEmpty() && style.detail() != Detail.QUIET) {
-      block(result.warnings().stream().flatMap(each -> ReportText.warnings(each.lines())).toList());
+      block(
+          result.warnings().stream()
+              .flatMap(each -> ReportText.warnings(each.lines()))
+              .map(language::shown)
+              .toList());
     }
     block(List.of(summary.lastLine(result)));
     if (style.has(Feature.WALL_TIME)) {
-      line(ReportText.duration(result.wallTimeS()) + " by the wall clock");
+      line(language.text("byWallClock", ReportText.duration(result.wallTimeS())));
     }
   }
 
@@ -164,11 +180,11 @@ public final class ConsoleReport {
     double robotTimeS = results.stream().mapToDouble(TestResult::robotTimeS).sum();
     line(
         style.mark(status)
-            + ReportText.line(file.name)
-            + ": "
-            + ConsoleSummary.counts(results)
-            + " in "
-            + ReportText.duration(robotTimeS));
+            + language.text(
+                "countsOfFile",
+                ReportText.line(file.name),
+                ConsoleSummary.counts(results, language),
+                ReportText.duration(robotTimeS)));
     if (!style.has(Feature.TERMINAL)) {
       results.stream()
           .filter(each -> style.detail() == Detail.VERBOSE || each.status().red())
@@ -177,20 +193,26 @@ public final class ConsoleReport {
   }
 
   private String testLine(String file, TestResult result) {
-    String what =
+    String name = file + ReportText.line(result.id().name());
+    String line =
         switch (result.status()) {
-          case PASSED -> " in " + ReportText.duration(result.robotTimeS());
+          case PASSED ->
+              language.text("testPassed", name, ReportText.duration(result.robotTimeS()));
           case SKIPPED ->
               result.skipped().isEmpty()
-                  ? ""
-                  : ": " + ReportText.line(result.skipped(), MAX_MESSAGE);
-          case FAILED, ERROR, TIMED_OUT -> ": " + message(result) + place(result);
+                  ? name
+                  : language.text(
+                      "testBecause",
+                      name,
+                      language.shown(ReportText.line(result.skipped(), MAX_MESSAGE)));
+          case FAILED, ERROR, TIMED_OUT ->
+              language.text("testBecause", name, message(result)) + place(result);
         };
-    return style.mark(result.status()) + file + ReportText.line(result.id().name()) + what;
+    return style.mark(result.status()) + line;
   }
 
-  private static String message(TestResult result) {
-    String first = ReportText.message(result).getFirst();
+  private String message(TestResult result) {
+    String first = language.shown(ReportText.message(result)).getFirst();
     return first.length() <= MAX_MESSAGE ? first : first.substring(0, MAX_MESSAGE) + "...";
   }
 
@@ -215,7 +237,10 @@ public final class ConsoleReport {
   private void showProgress() {
     if (style.has(Feature.TERMINAL) && !order.isEmpty()) {
       hideProgress();
-      progress = finished + " of " + order.size() + " tests" + (red > 0 ? ", " + red + " red" : "");
+      progress =
+          red == 0
+              ? language.text("progress", finished, order.size())
+              : language.text("progressWithRed", finished, order.size(), red);
       out.accept(progress);
     }
   }
@@ -223,7 +248,7 @@ public final class ConsoleReport {
   /** Written over with blanks, which every terminal understands. */
   private void hideProgress() {
     if (!progress.isEmpty()) {
-      out.accept("\r" + " ".repeat(progress.length()) + "\r");
+      out.accept("\r" + " ".repeat(TerminalColumns.of(progress)) + "\r");
       progress = "";
     }
   }

@@ -23,14 +23,14 @@ final class FailureText {
   private FailureText() {}
 
   /** Lines without line ends, without the output of the test. */
-  static List<String> lines(TestResult result, SourceExcerpts excerpts) {
+  static List<String> lines(TestResult result, SourceExcerpts excerpts, ReportLanguage language) {
     Optional<TestPlace> place = result.failure().flatMap(TestFailure::place);
-    List<String> message = ReportText.message(result);
+    List<String> message = language.shown(ReportText.message(result));
     List<String> lines = new ArrayList<>();
-    lines.add(text(place.orElse(result.place())) + ": error: " + message.getFirst());
+    lines.add(language.text("errorAt", text(place.orElse(result.place())), message.getFirst()));
     message.stream().skip(1).map(each -> QUOTED + each).forEach(lines::add);
     place.ifPresent(each -> lines.addAll(excerpts.of(each)));
-    calls(result).forEach(each -> lines.add("  " + each));
+    calls(result, language).forEach(each -> lines.add("  " + each));
     return lines;
   }
 
@@ -38,7 +38,7 @@ final class FailureText {
    * The call stack, innermost first: {@code in grip, pick.script:12:3}. Empty where the fault is in
    * the test itself, which its place says.
    */
-  static List<String> calls(TestResult result) {
+  static List<String> calls(TestResult result, ReportLanguage language) {
     List<TestPlace> stack = new ArrayList<>();
     result.failure().flatMap(TestFailure::place).ifPresent(stack::add);
     result.failure().ifPresent(each -> stack.addAll(each.stack()));
@@ -49,14 +49,14 @@ final class FailureText {
     for (int i = 0; i < stack.size(); i++) {
       if (stack.size() > MAX_CALLS && i == INNERMOST_CALLS) {
         int left = stack.size() - MAX_CALLS;
-        calls.add("... " + left + " more");
+        calls.add(language.text("moreCalls", left));
         i += left;
       }
       TestPlace call = stack.get(i);
       calls.add(
           call.function().isEmpty()
-              ? "at " + text(call)
-              : "in " + ReportText.line(call.function()) + ", " + text(call));
+              ? language.text("calledAt", text(call))
+              : language.text("calledIn", ReportText.line(call.function()), text(call)));
     }
     return calls;
   }

@@ -59,7 +59,7 @@ public final class GithubAnnotations {
   private static String annotation(TestResult test) {
     TestPlace place = test.failure().flatMap(TestFailure::place).orElse(test.place());
     List<String> text = new ArrayList<>(ReportText.message(test));
-    text.addAll(FailureText.calls(test));
+    text.addAll(FailureText.calls(test, ReportLanguage.ENGLISH));
     return annotation(
         place,
         ReportText.line(test.id().name()) + ": " + ReportText.status(test.status()),

@@ -130,7 +130,7 @@ public final class HtmlReport {
   }
 
   private void head(HtmlText html) throws IOException {
-    String counts = ConsoleSummary.counts(result);
+    String counts = ConsoleSummary.counts(result, ReportLanguage.ENGLISH);
     html.raw(HEAD.replace("COUNTS", counts));
     html.raw("<header class=\"" + (result.red() ? "red" : "green") + "\">\n<h1>Tests</h1>\n");
     html.element("p", "counts", counts).raw("\n");
@@ -186,7 +186,8 @@ public final class HtmlReport {
     boolean red = results.stream().anyMatch(each -> each.status().red());
     html.raw("<details class=\"file " + (red ? "red\" open>" : "green\">") + "<summary>");
     html.element("span", "name", ReportText.line(file)).raw(" ");
-    html.element("span", "counts", ConsoleSummary.counts(results)).raw("</summary>\n");
+    html.element("span", "counts", ConsoleSummary.counts(results, ReportLanguage.ENGLISH))
+        .raw("</summary>\n");
   }
 
   private static void warnings(HtmlText html, List<String> warnings) throws IOException {

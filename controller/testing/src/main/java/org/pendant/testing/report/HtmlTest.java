@@ -47,7 +47,7 @@ final class HtmlTest {
     html.raw("</summary>\n");
     html.element("pre", "message", String.join("\n", ReportText.message(test))).raw("\n");
     source(test.failure().flatMap(TestFailure::place));
-    stack(FailureText.calls(test));
+    stack(FailureText.calls(test, ReportLanguage.ENGLISH));
     attachments(attachments, FailureAttachment.Kind.IMAGE);
     if (plot.isPresent() && plot.get().tells()) {
       new PlotMarkup(html, plot.get()).write();

@@ -196,7 +196,7 @@ public final class JunitReport {
     begin(element);
     attribute("message", ReportText.message(test).getFirst());
     attribute("type", code);
-    endText(String.join("\n", FailureText.lines(test, excerpts)));
+    endText(String.join("\n", FailureText.lines(test, excerpts, ReportLanguage.ENGLISH)));
   }
 
   private static String status(TestStatus status) {

@@ -76,7 +76,7 @@ public final class TapReport {
     line("  duration_ms: " + Math.round(test.robotTimeS() * 1e3));
     Optional<TestPlace> failed = test.failure().flatMap(TestFailure::place);
     place(failed.orElse(test.place()));
-    stack(FailureText.calls(test));
+    stack(FailureText.calls(test, ReportLanguage.ENGLISH));
     // As one text: harnesses that read only simple YAML stumble over lists of any text.
     List<String> output = ReportText.output(test, OUTPUT_LINES, OUTPUT_CHARACTERS).lines();
     if (!output.isEmpty()) {

@@ -17,6 +17,8 @@ import org.pendant.testing.TestResult;
 import org.pendant.testing.TestStatus;
 import org.pendant.testing.report.ConsoleStyle.Detail;
 import org.pendant.testing.report.ConsoleStyle.Feature;
+import org.pendant.text.Language;
+import org.pendant.text.Texts;
 
 class ConsoleReportTest {
   private static final String SUMMARY =
@@ -62,6 +64,42 @@ class ConsoleReportTest {
   @Test
   void tellsFilesThenRedTestsInDetailThenHowManyThereWere() {
     assertEquals(FILES + SUMMARY, text(SampleSuite.suite(), Detail.NORMAL));
+  }
+
+  @Test
+  void speaksTheLanguageOfWhoReadsIt() {
+    assertEquals(
+        """
+        ✗ cell/grip_test.script test_force: durch einen Fehler beendet nach 0.500 s Roboterzeit
+        cell/grip_test.script:10:3: Fehler: force_mode: es fehlen 4 Argumente
+          force_mode(p[0,0,0,0,0,0])
+          ^
+        """,
+        block(1, in(Language.GERMAN)));
+    assertEquals(
+        "3 bestanden, 1 fehlgeschlagen, 1 Fehler, 1 mit Zeitüberschreitung, 1 übersprungen,"
+            + " 1 fehlerhafte Datei, 2 nicht ausgeführt in 3.6 s Roboterzeit (Seed 4711)\n",
+        block(4, in(Language.GERMAN)));
+    assertEquals(
+        "3 个通过，1 个失败，1 个错误，1 个超时，1 个跳过，1 个文件有错误，2 个未运行，机器人时间 3.6 s" + "（随机种子 4711）\n",
+        block(4, in(Language.CHINESE)));
+  }
+
+  private static String in(Language language) {
+    StringBuilder text = new StringBuilder();
+    ReportLanguage report =
+        new ReportLanguage(
+            Texts.of(ReportLanguage.class, language),
+            english -> english.replace("4 arguments are missing", "es fehlen 4 Argumente"));
+    ConsoleReport console =
+        new ConsoleReport(ConsoleStyle.of(Detail.QUIET), SampleSuite::source, text::append, report);
+    console.end(SampleSuite.suite());
+    return text.toString();
+  }
+
+  private static String block(int number, String text) {
+    String block = text.split("\n\n")[number];
+    return block.endsWith("\n") ? block : block + "\n";
   }
 
   @Test

@@ -7,26 +7,46 @@ import org.pendant.testing.coverage.CoverageReport;
 import org.pendant.testing.coverage.FileCoverage;
 import org.pendant.testing.coverage.NodeCoverage;
 import org.pendant.testing.coverage.TreeCoverage;
+import org.pendant.text.Language;
+import org.pendant.text.TerminalColumns;
+import org.pendant.text.Texts;
 
 /** Coverage table: coverage as a table for people, a file a row. */
 public final class CoverageTable {
-  private static final List<String> HEAD =
-      List.of("file", "statements", "branches", "conditions", "functions", "missing lines");
+  private final Texts texts;
 
-  private CoverageTable() {}
+  private CoverageTable(Texts texts) {
+    this.texts = texts;
+  }
 
-  /** The table; its lines end with a line feed, and there are none without a file. */
+  /** The table in English; its lines end with a line feed, and there are none without a file. */
   public static String of(CoverageReport report) {
+    return of(report, Texts.of(CoverageTable.class, Language.ENGLISH));
+  }
+
+  /** The table in the language of {@code texts}, which are those of this package. */
+  public static String of(CoverageReport report, Texts texts) {
+    return new CoverageTable(texts).text(report);
+  }
+
+  private String text(CoverageReport report) {
     if (report.files().isEmpty() && report.trees().isEmpty()) {
       return "";
     }
     List<List<String>> rows = new ArrayList<>();
-    rows.add(HEAD);
+    rows.add(
+        List.of(
+            texts.get("file"),
+            texts.get("statements"),
+            texts.get("branches"),
+            texts.get("conditions"),
+            texts.get("functions"),
+            texts.get("missingLines")));
     report.files().forEach(file -> rows.add(row(file)));
     if (report.files().size() > 1) {
       rows.add(
           List.of(
-              "all",
+              texts.get("allFiles"),
               report.statements().percent(),
               report.branchWays().percent(),
               report.conditionWays().percent(),
@@ -51,10 +71,10 @@ public final class CoverageTable {
   }
 
   private static int[] widths(List<List<String>> rows) {
-    int[] widths = new int[HEAD.size()];
+    int[] widths = new int[rows.getFirst().size()];
     for (List<String> row : rows) {
       for (int i = 0; i < widths.length; i++) {
-        widths[i] = Math.max(widths[i], row.get(i).length());
+        widths[i] = Math.max(widths[i], TerminalColumns.of(row.get(i)));
       }
     }
     return widths;
@@ -64,26 +84,26 @@ public final class CoverageTable {
     StringBuilder line = new StringBuilder();
     for (int i = 0; i < widths.length; i++) {
       String cell = row.get(i);
-      String space = " ".repeat(widths[i] - cell.length());
+      String space = " ".repeat(widths[i] - TerminalColumns.of(cell));
       boolean words = i == 0 || i == widths.length - 1;
       line.append(i == 0 ? "" : "  ").append(words ? cell + space : space + cell);
     }
     text.append(line.toString().stripTrailing()).append('\n');
   }
 
-  private static void append(StringBuilder text, TreeCoverage tree) {
-    text.append(tree.file())
-        .append(": ")
-        .append(tree.share().reached())
-        .append(" of ")
-        .append(tree.share().total())
-        .append(" nodes reached");
+  private void append(StringBuilder text, TreeCoverage tree) {
+    int reached = tree.share().reached();
+    int total = tree.share().total();
     String missing =
         tree.nodes().stream()
             .filter(node -> !node.reached())
             .map(CoverageTable::name)
             .collect(Collectors.joining(", "));
-    text.append(missing.isEmpty() ? "" : "; missing: " + missing).append('\n');
+    text.append(
+            missing.isEmpty()
+                ? texts.get("nodesReached", tree.file(), reached, total)
+                : texts.get("nodesReachedBut", tree.file(), reached, total, missing))
+        .append('\n');
   }
 
   private static String name(NodeCoverage node) {

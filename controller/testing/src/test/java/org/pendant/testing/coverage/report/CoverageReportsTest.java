@@ -23,6 +23,8 @@ import org.pendant.testing.coverage.NodeCoverage;
 import org.pendant.testing.coverage.SampleCoverage;
 import org.pendant.testing.coverage.Share;
 import org.pendant.testing.coverage.TreeCoverage;
+import org.pendant.text.Language;
+import org.pendant.text.Texts;
 import org.w3c.dom.Document;
 import org.xml.sax.ErrorHandler;
 import org.xml.sax.InputSource;
@@ -68,6 +70,28 @@ class CoverageReportsTest {
         stack.pendant: 1 of 2 nodes reached; missing: 4 "If"
         """,
         CoverageTable.of(more()));
+  }
+
+  @Test
+  void columnsStandUnderTheirHeadingsInEveryLanguage() {
+    assertEquals(
+        """
+        Datei             Anweisungen  Zweige  Bedingungen  Funktionen  fehlende Zeilen
+        a.script                0.0 %       -            -       0.0 %  2
+        cell/pick.script       75.0 %   100 %       50.0 %      66.6 %  6-10
+        alle                   66.6 %   100 %       50.0 %      50.0 %
+        stack.pendant: 1 von 2 Knoten erreicht; es fehlen: 4 "If"
+        """,
+        CoverageTable.of(more(), Texts.of(CoverageTable.class, Language.GERMAN)));
+    assertEquals(
+        """
+        文件                语句   分支    条件    函数  未到达的行
+        a.script           0.0 %      -       -   0.0 %  2
+        cell/pick.script  75.0 %  100 %  50.0 %  66.6 %  6-10
+        全部              66.6 %  100 %  50.0 %  50.0 %
+        stack.pendant：到达 1/2 个节点；未到达：4 "If"
+        """,
+        CoverageTable.of(more(), Texts.of(CoverageTable.class, Language.CHINESE)));
   }
 
   @Test
