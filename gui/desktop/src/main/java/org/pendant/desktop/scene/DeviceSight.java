@@ -14,6 +14,7 @@ import org.pendant.controller.device.DeviceState;
 import org.pendant.controller.device.Zone;
 import org.pendant.controller.world.GripperSetup;
 import org.pendant.controller.world.Vector3;
+import org.pendant.kit.text.Messages;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
 
@@ -200,7 +201,7 @@ public record DeviceSight(
               : share >= 1
                   ? text("doorOpen")
                   : text("doorOpenPercent", String.format(Locale.ROOT, "%.0f", 100 * share));
-      return name + ": " + how;
+      return Messages.told(name, how);
     }
   }
 
