@@ -94,6 +94,26 @@ final class UsageTest {
   }
 
   @Test
+  void outcomesOfASweepAreToldInTheLanguageThatIsAskedForAndWrittenInEnglish() throws IOException {
+    Files.writeString(folder.resolve("wait.script"), "T = 0.1\nsleep(T)\n");
+    Files.writeString(
+        folder.resolve("wait.toml"),
+        """
+        program = "wait.script"
+        [[parameter]]
+        name = "T"
+        set = "variable T"
+        values = [0.1, 0.2]
+        """);
+    Result german =
+        Launcher.shell(folder, "PENDANT_LANGUAGE=de \"$PENDANT\" sweep --out out wait.toml");
+    assertTrue(german.output().startsWith("Ausgang"), german.output() + german.errors());
+    assertTrue(german.output().contains("\nbeendet      2\n"), german.output());
+    String rows = Files.readString(folder.resolve("out/results.csv"));
+    assertTrue(rows.contains(",finished,"), rows);
+  }
+
+  @Test
   void commandsSpeakEnglishOnAComputerThatSpeaksGerman() {
     Result result =
         Launcher.shell(

@@ -69,7 +69,7 @@ final class GoldenFileComparison {
       console.print(text("sameWithin", words(wanted)));
       return ExitCode.DONE;
     }
-    console.print(newer + ": " + first.get().words());
+    console.print(newer + ": " + CommandLanguage.shown(first.get().words()));
     return ExitCode.LIMIT_EXCEEDED;
   }
 

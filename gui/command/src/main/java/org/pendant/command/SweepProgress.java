@@ -55,7 +55,7 @@ final class SweepProgress implements SweepListener {
       console.complain(
           String.format(
               Locale.ROOT,
-              "%d of %d runs, %.0f a minute, %s left",
+              text("runsLeft"),
               done,
               size,
               perS * 60,

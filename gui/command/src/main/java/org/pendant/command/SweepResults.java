@@ -86,7 +86,7 @@ final class SweepResults {
     }
     Path page = folder.resolve(SweepFolder.REPORT);
     AtomicFile.write(page, SweepReport.of(folder).getBytes(StandardCharsets.UTF_8));
-    console.print("report: " + page);
+    console.print(text("reportIs", page));
     return ExitCode.DONE;
   }
 

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import org.pendant.sweep.run.RunOutcome;
 import org.pendant.sweep.table.ResultColumn;
 import org.pendant.sweep.table.ResultTable;
 import org.pendant.sweep.table.RowCondition;
@@ -14,6 +15,7 @@ import org.pendant.sweep.table.RowCondition;
 final class SweepSummary {
   private static final int DIGITS = 4;
   private static final int MAX_SHOWN = 5;
+  private static final String OUTCOME = "outcome";
   private static final List<String> MEASURES =
       List.of(
           "duration",
@@ -70,7 +72,7 @@ final class SweepSummary {
 
   /** Takes a row, cell by cell as tables write it. */
   void take(List<String> cells) {
-    outcomes.merge(cells.get(columns.indexOf("outcome")), 1L, Long::sum);
+    outcomes.merge(cells.get(columns.indexOf(OUTCOME)), 1L, Long::sum);
     ranges.forEach(each -> each.take(cells));
     for (int i = 0; i < conditions.size(); i++) {
       RowCondition condition = conditions.get(i);
@@ -78,7 +80,8 @@ final class SweepSummary {
       if (!condition.holds(cell)) {
         broken[i]++;
         if (examples.get(i).size() < MAX_SHOWN) {
-          examples.get(i).add(text("runOf", cells.getFirst(), cell));
+          boolean outcome = condition.column().equals(OUTCOME);
+          examples.get(i).add(text("runOf", cells.getFirst(), outcome ? shown(cell) : cell));
         }
       }
     }
@@ -97,11 +100,16 @@ final class SweepSummary {
   /** For people. */
   List<String> lines() {
     List<String> lines = new ArrayList<>();
-    Table counts = new Table().left("outcome").right("runs");
-    outcomes.forEach((outcome, count) -> counts.row(outcome, Long.toString(count)));
+    Table counts = new Table().left(text("outcomeHead")).right(text("runsHead"));
+    outcomes.forEach((outcome, count) -> counts.row(shown(outcome), Long.toString(count)));
     lines.addAll(counts.aligned());
     Table measures =
-        new Table().left("measure").right("least").right("run").right("most").right("run");
+        new Table()
+            .left(text("measureHead"))
+            .right(text("leastHead"))
+            .right(text("runHead"))
+            .right(text("mostHead"))
+            .right(text("runHead"));
     for (Range each : ranges) {
       if (each.least <= each.most) {
         measures.row(
@@ -115,6 +123,24 @@ final class SweepSummary {
     lines.add("");
     lines.addAll(measures.aligned());
     return lines;
+  }
+
+  /** An outcome, which tables write as a word. */
+  private static String shown(String word) {
+    return RunOutcome.of(word).map(each -> text(key(each))).orElse(word);
+  }
+
+  private static String key(RunOutcome outcome) {
+    return switch (outcome) {
+      case FINISHED -> "outcomeFinished";
+      case HALTED -> "outcomeHalted";
+      case FAILED -> "outcomeFailed";
+      case STOPPED -> "outcomeStopped";
+      case NEVER_ENDED -> "outcomeNeverEnded";
+      case DOES_NOT_COMPILE -> "outcomeDoesNotCompile";
+      case REFUSED -> "outcomeRefused";
+      case INTERNAL_ERROR -> "outcomeInternalError";
+    };
   }
 
   /** What does not hold, a line for each condition. */

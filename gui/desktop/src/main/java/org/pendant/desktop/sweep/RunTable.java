@@ -275,10 +275,13 @@ final class RunTable extends JTable {
         JTable table, Object value, boolean selected, boolean focused, int row, int column) {
       boolean number = value instanceof Double;
       ResultColumn of = model.column(convertColumnIndexToModel(column));
+      boolean outcome = of.name().equals("outcome");
       Optional<String> node = number ? node(of, (Double) value) : Optional.empty();
       super.getTableCellRendererComponent(
           table,
-          number ? node.orElseGet(() -> SweepWords.brief((Double) value)) : value,
+          number
+              ? node.orElseGet(() -> SweepWords.brief((Double) value))
+              : outcome ? SweepWords.outcome(String.valueOf(value)) : value,
           selected,
           focused,
           row,
@@ -286,8 +289,6 @@ final class RunTable extends JTable {
       setHorizontalAlignment(
           number && node.isEmpty() ? SwingConstants.TRAILING : SwingConstants.LEADING);
       if (!selected) {
-        int place = model.shown.get(convertColumnIndexToModel(column));
-        boolean outcome = model.rows.orElseThrow().columns().get(place).name().equals("outcome");
         setForeground(
             outcome
                 ? SweepWords.color(RunOutcome.of(String.valueOf(value)))

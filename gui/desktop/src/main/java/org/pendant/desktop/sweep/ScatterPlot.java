@@ -322,7 +322,7 @@ final class ScatterPlot extends JPanel {
     return text(
         "runAtPoint",
         row.run(),
-        rows.get().outcome(row),
+        SweepWords.outcome(rows.get().outcome(row)),
         name(x),
         SweepWords.brief(row.number(x)),
         name(y),

@@ -6,7 +6,6 @@ import java.awt.Color;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.stream.Collectors;
 import org.pendant.kit.theme.Palette;
 import org.pendant.sweep.run.RunOutcome;
 import org.pendant.text.Language;
@@ -48,8 +47,27 @@ final class SweepWords {
   /** How many runs ended in which way. */
   static String outcomes(Map<String, Integer> counts) {
     return counts.entrySet().stream()
-        .map(each -> each.getValue() + " " + each.getKey())
-        .collect(Collectors.joining(", "));
+        .map(each -> text("outcomeCount", each.getValue(), outcome(each.getKey())))
+        .reduce((first, next) -> text("outcomesListed", first, next))
+        .orElse("");
+  }
+
+  /** An outcome, which tables of results write as a word. */
+  static String outcome(String word) {
+    return RunOutcome.of(word).map(each -> text(key(each))).orElse(word);
+  }
+
+  private static String key(RunOutcome outcome) {
+    return switch (outcome) {
+      case FINISHED -> "outcomeFinished";
+      case HALTED -> "outcomeHalted";
+      case FAILED -> "outcomeFailed";
+      case STOPPED -> "outcomeStopped";
+      case NEVER_ENDED -> "outcomeNeverEnded";
+      case DOES_NOT_COMPILE -> "outcomeDoesNotCompile";
+      case REFUSED -> "outcomeRefused";
+      case INTERNAL_ERROR -> "outcomeInternalError";
+    };
   }
 
   /**

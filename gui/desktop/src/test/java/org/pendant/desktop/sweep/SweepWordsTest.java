@@ -2,7 +2,10 @@ package org.pendant.desktop.sweep;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.LinkedHashMap;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.pendant.sweep.run.RunOutcome;
 
 class SweepWordsTest {
   @Test
@@ -24,6 +27,18 @@ class SweepWordsTest {
         "400 of 1,000 runs, 300 a minute, 2 min 0 s left",
         SweepWords.progress(400, 1000, 5, false));
     assertEquals("1,000 of 1,000 runs, 300 a minute", SweepWords.progress(1000, 1000, 5, true));
+  }
+
+  @Test
+  void outcomesAreCountedInTheWordsOfTables() {
+    Map<String, Integer> counts = new LinkedHashMap<>();
+    for (RunOutcome each : RunOutcome.values()) {
+      assertEquals(each.word(), SweepWords.outcome(each.word()));
+    }
+    assertEquals("", SweepWords.outcomes(counts));
+    counts.put("finished", 12);
+    counts.put("never-ended", 1);
+    assertEquals("12 finished, 1 never-ended", SweepWords.outcomes(counts));
   }
 
   @Test
