@@ -63,6 +63,7 @@ final class TextLiterals {
       Set.of(
           "compile",
           "doc",
+          "documented",
           "takes",
           "mayTake",
           "matches",

@@ -22,6 +22,7 @@ final class TextLiteralsTest {
           "gui/kit/src/main/java",
           "gui/desktop/src/main/java",
           "gui/editors/src/main/java",
+          "gui/command/src/main/java",
           "protocols/src/main/java",
           "language/src/main/java",
           "controller/script/src/main/java",
