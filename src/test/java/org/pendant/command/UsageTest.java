@@ -114,6 +114,13 @@ final class UsageTest {
   }
 
   @Test
+  void robotsAreListedUnderHeadingsInTheLanguageThatIsAskedFor() {
+    Result german = Launcher.shell(folder, "PENDANT_LANGUAGE=de \"$PENDANT\" robots");
+    assertTrue(german.output().startsWith("Kennung "), german.output());
+    assertTrue(german.output().contains("Gelenkgeschwindigkeiten, Grad/s"), german.output());
+  }
+
+  @Test
   void commandsSpeakEnglishOnAComputerThatSpeaksGerman() {
     Result result =
         Launcher.shell(

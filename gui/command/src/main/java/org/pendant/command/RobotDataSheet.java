@@ -72,12 +72,12 @@ record RobotDataSheet(ArmDescription arm, ArmShape shape) {
    * The groups that were not all taken from this very model, e.g. {@code limits, drives}; the
    * numbers of the drives count as one group.
    */
-  String uncertain() {
+  List<String> uncertain() {
     List<Trust> ofDrives = driveTrust();
     return trust().stream()
         .filter(each -> !each.ofThisModel())
         .map(each -> ofDrives.contains(each) ? "drives" : each.group())
         .distinct()
-        .collect(Collectors.joining(", "));
+        .toList();
   }
 }

@@ -20,7 +20,7 @@ public final class ArmFile {
    * @throws JsonException if it is none; the message says where and why
    */
   public static ArmDescription read(String name, InputStream in) throws JsonException {
-    JsonFields root = new JsonFields(JsonFile.read(name, in), "an arm");
+    JsonFields root = new JsonFields(JsonFile.read(name, in), ArmTexts.text("anArm"));
     Json.Text id = root.text("id");
     if (!ArmLibrary.ids().contains(id.value())) {
       throw id.place()
