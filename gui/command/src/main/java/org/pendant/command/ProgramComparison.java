@@ -8,7 +8,10 @@ import java.util.Optional;
 import org.pendant.controller.Controller;
 import org.pendant.controller.box.BoxCommand;
 import org.pendant.language.source.Source;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.JointLimits;
 import org.pendant.models.arm.Joints;
+import org.pendant.recording.compare.ComparisonNotes;
 import org.pendant.recording.compare.RunComparison;
 import org.pendant.recording.compare.StartOfRun;
 import org.pendant.script.vm.LoadResult;
@@ -56,6 +59,7 @@ final class ProgramComparison {
     }
     Source source = program.source().get();
     Joints start = StartOfRun.positionRad(recorded.samples());
+    refuseOutside(options.controller().arm(), start);
     Controller controller = new Controller(options.controller().withStart(start));
     LoadResult loaded = controller.load(source);
     Report.diagnostics(source, loaded.diagnostics()).forEach(console::complainInLines);
@@ -92,18 +96,32 @@ final class ProgramComparison {
     return new Outcome(code, Optional.of(noted(comparison)));
   }
 
+  /** Joints that turn without an end on one arm are within a range on another. */
+  private static void refuseOutside(ArmDescription arm, Joints start) throws UsageException {
+    for (int i = 0; i < Joints.COUNT; i++) {
+      JointLimits range = arm.joints().get(i);
+      if (!range.contains(start.get(i))) {
+        throw new UsageException(
+            text(
+                "recordingBeginsOutside",
+                i,
+                Decimal.text(Math.toDegrees(start.get(i)), 1),
+                arm.displayName(),
+                Decimal.text(Math.toDegrees(range.minRad()), 1),
+                Decimal.text(Math.toDegrees(range.maxRad()), 1),
+                RunOptions.ROBOT.name()));
+      }
+    }
+  }
+
   private RunComparison noted(RunComparison comparison) {
     List<String> notes = new ArrayList<>(recorded.notes());
     notes.addAll(comparison.notes());
     if (!StartOfRun.atRest(recorded.samples())) {
-      notes.add(
-          "the recording begins in motion: the arm starts 1 s before it, on the straight line of"
-              + " its joints");
+      notes.add(ComparisonNotes.beginsInMotion());
     }
     if (payload.lacksCentre()) {
-      notes.add(
-          "the centre of gravity of the payload was not recorded and is taken to be in the flange;"
-              + " --cog says where it is");
+      notes.add(ComparisonNotes.unknownCentreOfGravity());
     }
     return new RunComparison(
         comparison.recorded(),

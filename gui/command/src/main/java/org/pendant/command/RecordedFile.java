@@ -17,6 +17,7 @@ import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.dynamics.Gravity;
 import org.pendant.recording.Recording;
 import org.pendant.recording.RecordingFile;
+import org.pendant.recording.compare.ComparisonNotes;
 import org.pendant.recording.compare.MalformedTable;
 import org.pendant.recording.compare.RecordedSamples;
 import org.pendant.recording.compare.SampleTable;
@@ -86,7 +87,7 @@ record RecordedFile(
     Samples withSpeeds = StartOfRun.withSpeeds(samples);
     List<String> all = new ArrayList<>(notes);
     if (!withSpeeds.equals(samples)) {
-      all.add("there are no joint speeds, they are worked out from the positions");
+      all.add(ComparisonNotes.speedsFromPositions());
     }
     return new RecordedFile(name, withSpeeds, all, recording);
   }

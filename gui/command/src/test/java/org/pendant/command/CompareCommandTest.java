@@ -323,4 +323,23 @@ final class CompareCommandTest {
     assertTrue(said().contains("in line 3: target position of joint "), said());
     assertTrue(said().contains("The texts of the programs differ from line 3 on"), said());
   }
+
+  @Test
+  void aRecordingThatBeginsWhereTheArmCannotBeIsRefused() throws IOException {
+    StringBuilder table = new StringBuilder("timestamp");
+    for (int i = 0; i < 6; i++) {
+      table.append(" actual_q_").append(i);
+    }
+    for (int row = 0; row < 100; row++) {
+      table.append("\n").append(0.008 * row).append(" 0 -1.2 -1.4 -1.8 1.5 12.62563");
+    }
+    Path recording = Files.writeString(file("turned.csv"), table);
+    assertEquals(ExitCode.WRONG_USAGE, pendant("compare", recording, file("move.script")));
+    assertTrue(
+        complaints()
+            .contains(
+                "the recording begins with joint 5 at 723.4°, but that of a UR5e turns from -360°"
+                    + " to 360°; --robot says which arm was recorded"),
+        complaints());
+  }
 }
