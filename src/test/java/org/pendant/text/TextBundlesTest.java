@@ -6,8 +6,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -33,6 +35,23 @@ final class TextBundlesTest {
         said.keySet().stream()
             .filter(key -> !texts.containsKey(key))
             .forEach(key -> wrong.add(file.getFileName() + " says " + key + ", English does not"));
+      }
+    }
+    assertEquals(List.of(), wrong);
+  }
+
+  @Test
+  void noKeyIsThereTwice() throws IOException {
+    List<String> wrong = new ArrayList<>();
+    for (Path english : TextBundles.english()) {
+      for (Language language : Language.values()) {
+        Path file = language == Language.ENGLISH ? english : TextBundles.in(language, english);
+        Set<String> keys = new HashSet<>();
+        Files.readAllLines(file).stream()
+            .filter(line -> line.contains(" = ") && !line.startsWith("#"))
+            .map(line -> line.substring(0, line.indexOf(" = ")))
+            .filter(key -> !keys.add(key))
+            .forEach(key -> wrong.add(file.getFileName() + " says " + key + " twice"));
       }
     }
     assertEquals(List.of(), wrong);
