@@ -135,7 +135,7 @@ final class WindowStart {
     Files.writeString(
         settings,
         String.format(
-            "help.welcomed = true%nwindow.bounds = %d,%d,%d,%d%n",
+            "help.welcomed = true%nwindow.bounds = %d %d %d %d%n",
             WINDOW.x, WINDOW.y, WINDOW.width, WINDOW.height));
     ProcessBuilder command = new ProcessBuilder(launcher, "open").inheritIO();
     command.environment().put("XDG_CONFIG_HOME", folder.toString());

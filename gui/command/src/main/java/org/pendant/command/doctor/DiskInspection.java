@@ -41,7 +41,7 @@ public final class DiskInspection implements Inspection {
     }
     try {
       long free = Files.getFileStore(there).getUsableSpace();
-      FindingText found = text("mbFree", folder, "%,d".formatted(free / MB));
+      FindingText found = text("mbFree", folder, FindingText.count(free / MB));
       return free < MIN_FREE
           ? Finding.problem(subject, found, text("recordingsMayNotFit"))
           : Finding.ok(subject, found);

@@ -1,6 +1,7 @@
 package org.pendant.command.doctor;
 
 import org.pendant.command.text.CommandLanguage;
+import org.pendant.text.Language;
 
 /**
  * Finding text: what a finding says, once for reports, which others read, and once for people.
@@ -19,5 +20,10 @@ public record FindingText(String english, String shown) {
   /** What others have said in English, such as why a file cannot be read. */
   public static FindingText message(String english) {
     return new FindingText(english, CommandLanguage.shown(english));
+  }
+
+  /** How many there are of something, in groups of three digits. */
+  public static FindingText count(long count) {
+    return new FindingText(Language.ENGLISH.grouped(count), CommandLanguage.grouped(count));
   }
 }

@@ -42,6 +42,11 @@ public final class CommandLanguage {
     return (EDITOR.isBound() ? EDITOR.get() : TRANSLATOR).shown(message);
   }
 
+  /** How many there are of something, as {@link Language#grouped} writes it. */
+  public static String grouped(long count) {
+    return LANGUAGE.grouped(count);
+  }
+
   /** Does something for an editor: what this thread says meanwhile it says in its language. */
   public static <R, X extends Throwable> R spoken(
       Language language, ScopedValue.CallableOp<R, X> work) throws X {
