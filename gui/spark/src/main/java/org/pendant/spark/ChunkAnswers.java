@@ -1,5 +1,7 @@
 package org.pendant.spark;
 
+import static org.pendant.spark.SparkTexts.text;
+
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutionException;
@@ -50,7 +52,7 @@ final class ChunkAnswers {
         return new Outcome.Cancelled();
       } catch (InterruptedException e) {
         Thread.currentThread().interrupt();
-        throw new EngineException("the sweep was interrupted", e);
+        throw new EngineException(text("interrupted"), e);
       }
     }
     cancel();

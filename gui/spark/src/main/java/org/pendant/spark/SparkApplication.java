@@ -1,5 +1,7 @@
 package org.pendant.spark;
 
+import static org.pendant.spark.SparkTexts.text;
+
 import org.apache.spark.SparkConf;
 import org.apache.spark.api.java.JavaSparkContext;
 import org.pendant.sweep.engine.Engine;
@@ -19,7 +21,7 @@ final class SparkApplication {
     try {
       context = new JavaSparkContext(configuration);
     } catch (RuntimeException e) {
-      throw new EngineException("Spark does not start: " + e.getMessage(), e);
+      throw new EngineException(text("doesNotStart", e.getMessage()), e);
     }
     boolean made = false;
     try {

@@ -1,5 +1,7 @@
 package org.pendant.spark;
 
+import static org.pendant.spark.SparkTexts.text;
+
 import java.io.IOException;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -71,14 +73,13 @@ final class SparkEngine implements Engine {
     // What no worker can do, such as reading classes of a newer Java, would fail for every variant.
     if (submit(List.of(new Chunk(List.of()))).await(() -> false)
         instanceof ChunkAnswers.Outcome.Failed(var cause)) {
-      throw new EngineException(
-          "the workers of Spark cannot run variants: " + firstLine(cause), cause);
+      throw new EngineException(text("workersCannotRunVariants", firstLine(cause)), cause);
     }
   }
 
   @Override
   public String description() {
-    return "Spark " + context.version() + " at " + context.master() + ", " + cores() + " cores";
+    return text("sparkAt", context.version(), context.master(), cores());
   }
 
   /** Of the executors that there are now: they come and go. */
@@ -159,7 +160,7 @@ final class SparkEngine implements Engine {
               .map(new RunChunk(job))
               .collectAsync());
     } catch (IllegalStateException e) {
-      throw new EngineException("Spark has ended: " + firstLine(e), e);
+      throw new EngineException(text("sparkHasEnded", firstLine(e)), e);
     }
   }
 
@@ -174,7 +175,7 @@ final class SparkEngine implements Engine {
         durationNs += each.durationNs();
       }
     } catch (IOException e) {
-      throw new EngineException("a worker has answered what is no result: " + e.getMessage(), e);
+      throw new EngineException(text("answerIsNoResult", e.getMessage()), e);
     }
     long perRunNs = Math.max(1, durationNs / results.size());
     // at most twice as long as the last: the first runs of a worker are slower than those that
@@ -222,7 +223,7 @@ final class SparkEngine implements Engine {
         case ChunkAnswers.Outcome.Answered(var answers) ->
             results.addAll(results(List.of(alone), answers));
         case ChunkAnswers.Outcome.Failed(var cause) ->
-            results.add(SweepJob.lost(each, "no worker brings it to its end: " + firstLine(cause)));
+            results.add(SweepJob.lost(each, text("noWorkerBringsItToItsEnd", firstLine(cause))));
         case ChunkAnswers.Outcome.Cancelled _ -> {
           return results;
         }

@@ -1,5 +1,7 @@
 package org.pendant.spark;
 
+import static org.pendant.spark.SparkTexts.text;
+
 import java.io.IOException;
 import java.io.Serializable;
 import java.io.UncheckedIOException;
@@ -51,7 +53,7 @@ final class WorkerJob implements Serializable {
     try {
       SweepJob read = SweepJob.read(JobArchive.unpack(archive, folder));
       if (!read.identity().equals(identity)) {
-        throw new IOException("the files of the plan are others at the worker than here");
+        throw new IOException(text("otherFilesAtTheWorker"));
       }
       return read;
     } catch (PlanException e) {
