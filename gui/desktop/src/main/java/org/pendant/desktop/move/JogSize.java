@@ -26,6 +26,10 @@ enum JogSize {
    * A size.
    *
    * @param usual so many mm or deg
+   * @param metres so many m, where lengths are shown in m
+   * @param inches so many in, where lengths are shown in inches
+   * @param radians so many rad, where angles are shown in rad
+   * @param action what the action that chooses it says
    */
   JogSize(String usual, String metres, String inches, String radians, String action) {
     this.usual = usual;
